@@ -1,0 +1,144 @@
+"""The command line: presets, settings and runs."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from tqdm import tqdm
+
+from tyrecontact import presets
+from tyrecontact.errors import InputError, TyreContactError
+from tyrecontact.results import Record, Results
+from tyrecontact.scenario import Scenario, read_tables
+from tyrecontact.simulation import Simulation
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Entry of the console script; returns the exit code (2: input that cannot be used)."""
+    options = _parser().parse_args(arguments)
+    try:
+        options.command(options)
+    except TyreContactError as error:
+        print(f"tyrecontact: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="tyrecontact", description=__doc__)
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    commands.add_parser("presets", help="list the presets").set_defaults(command=_presets)
+    described = commands.add_parser("describe", help="list every setting of a scenario")
+    described.set_defaults(command=_describe)
+    run = commands.add_parser("run", help="run a preset or a scenario file")
+    run.add_argument("scenario", metavar="PRESET|FILE.toml")
+    run.add_argument(
+        "--set", action="append", default=[], metavar="part.name=value", dest="changes",
+        help="change a setting (SI units); may be repeated",
+    )  # fmt: skip
+    run.add_argument("--output", type=Path, metavar="FILE.nc", help="write the run as netCDF")
+    run.add_argument("--json", action="store_true", help="print the headline figures as JSON")
+    run.set_defaults(command=_run)
+    return parser
+
+
+def _presets(_: argparse.Namespace) -> None:
+    width = max(map(len, presets.names()))
+    for name in presets.names():
+        print(f"{name:<{width}}  {presets.caption(name)}")
+
+
+def _describe(_: argparse.Namespace) -> None:
+    for path, parameter, value in Scenario().settings():
+        choices = getattr(parameter, "objects", None)
+        bounds = getattr(parameter, "bounds", None)
+        span = "any text"
+        if choices:
+            span = " | ".join(repr(name) if not name else name for name in choices)
+        elif bounds:
+            span = f"{bounds[0]:g} to {bounds[1]:g}"
+        unit = parameter.metadata["unit"]
+        default = repr(value) if value == "" else value
+        print(f"{path} = {default}{' ' + unit if unit else ''}  [{span}]\n    {parameter.doc}")
+
+
+def _run(options: argparse.Namespace) -> None:
+    scenario = _scenario(options.scenario)
+    for change in options.changes:
+        path, equals, value = change.partition("=")
+        if not equals:
+            raise InputError(f"--set must be given as part.name=value, got {change!r}")
+        scenario.set(path.strip(), value.strip())
+    if options.output is not None:
+        _require_writable(options.output)
+    began = time.perf_counter()
+    simulation = Simulation(scenario)
+    kernel_began = time.perf_counter()
+    simulation.kernel  # noqa: B018 - built here so that its time is known
+    kernel_seconds = time.perf_counter() - kernel_began
+    results = _run_with_progress(simulation)
+    wall_seconds = time.perf_counter() - began
+    if options.output is not None:
+        results.to_xarray().to_netcdf(options.output)
+    summary = {**results.summary(), "wall_s": wall_seconds, "kernel_s": kernel_seconds}
+    print(json.dumps(summary) if options.json else _in_words(summary))
+
+
+def _scenario(name: str) -> Scenario:
+    if not name.endswith(".toml"):
+        return presets.get(name)
+    tables = read_tables(Path(name))
+    base = tables.pop("preset", "default")
+    scenario = presets.get(base)
+    changes = Scenario(**tables).to_dict()  # checks names and values before any is taken
+    for part, values in tables.items():
+        for setting in values:
+            scenario.set(f"{part}.{setting}", changes[part][setting])
+    return scenario
+
+
+def _require_writable(path: Path) -> None:
+    """Refuse an output that cannot be written before the run, not after it."""
+    if path.is_dir() or not path.parent.is_dir():
+        raise InputError(f"--output must name a file in a folder that exists, got {path}")
+
+
+def _run_with_progress(simulation: Simulation) -> Results:
+    """The run; a bar on a terminal, none otherwise; Ctrl-C keeps what was computed."""
+    record = Record(len(simulation), simulation.bodies.kernel.shape)
+    reason = ""
+    try:
+        for step in tqdm(simulation, disable=None, unit="step", leave=False):
+            record.append(step)
+    except KeyboardInterrupt:
+        reason = "stopped by the user"
+    return simulation.collect(record, reason)
+
+
+def _in_words(summary: dict) -> str:
+    lines = [f"{summary['steps']} steps in {summary['wall_s']:.2f} s: {summary['stop_reason']}"]
+    failed = summary["failed_at"]
+    if failed:
+        lines.append(
+            f"first step that did not converge: {failed['step']}, at {failed['time'] * 1e3:.3f} ms "
+            f"and an indentation of {failed['indentation'] * 1e3:.4f} mm"
+        )
+    lines.append(f"largest force     {summary['max_force']:.4g} N")
+    if summary["final_stiffness"] is not None:
+        lines.append(f"final stiffness   {summary['final_stiffness'] / 1e6:.3g} MN/m")
+    if summary["adherence_force"] is not None:
+        lines.append(f"adherence force   {summary['adherence_force']:.3g} N")
+    lines.append(
+        f"Newton iterations {summary['iterations_mean']:.2f} a step, {summary['iterations_max']} "
+        "at most"
+    )
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,26 @@
+"""What the package raises when it is asked for something it cannot do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+
+class TyreContactError(Exception):
+    """Base of every error that tyrecontact raises on purpose."""
+
+
+class InputError(TyreContactError, ValueError):
+    """A value, a name or a file that cannot be used; the message is one sentence."""
+
+
+def unknown_name(kind: str, name: object, known: Iterable[str]) -> InputError:
+    """The error for a wrong name: it lists the right ones and points at the nearest.
+
+    Parameters: `kind` what was looked for ("preset", "setting of loading"), `name` what was
+    asked, `known` the names that exist.
+    """
+    names = sorted(known)
+    nearest = get_close_matches(str(name), names, n=1, cutoff=0.5)
+    hint = f" (did you mean {nearest[0]!r}?)" if nearest else ""
+    return InputError(f"{kind} must be one of {', '.join(names)}, got {name!r}{hint}")

@@ -1,0 +1,76 @@
+"""How the road is moved into the tread: indentation against time (physics, section 7)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tyrecontact.errors import InputError
+
+#: more steps than this are refused: a slip of a unit, not a study
+MAX_STEPS = 500_000
+
+
+@dataclass(frozen=True)
+class Path:
+    """Indentation along straight lines between knots, or as a power of time up to a maximum.
+
+    Attributes
+    ----------
+    time, indentation : knots [s] and [m], shape (knots,), time increasing.
+    power : 1 for straight lines; 2 for the square of time between two knots.
+    """
+
+    time: np.ndarray
+    indentation: np.ndarray
+    power: int = 1
+
+    def sampled(self, time_step: float) -> tuple[np.ndarray, np.ndarray]:
+        """Times [s] and indentations [m] of all steps, from rest to the end of the path.
+
+        Raises
+        ------
+        InputError : the path takes more than `MAX_STEPS` steps, or fewer than two.
+        """
+        duration = float(self.time[-1])
+        intervals = int(np.ceil(duration / time_step * (1 - 1e-12)))
+        if not 2 <= intervals < MAX_STEPS:
+            raise InputError(
+                f"loading must take 2 to {MAX_STEPS} steps, got {intervals} "
+                f"({duration:.4g} s in steps of {time_step:.4g} s)"
+            )
+        time = np.arange(intervals + 1) * time_step
+        if self.power == 1:
+            return time, np.interp(time, self.time, self.indentation)
+        share = np.minimum(time / duration, 1.0)
+        return time, self.indentation[-1] * share**self.power
+
+
+def linear(max_indentation: float, rate: float) -> Path:
+    """At a constant rate [m/s] to the largest indentation [m]."""
+    return Path(np.array([0, max_indentation / rate]), np.array([0, max_indentation]))
+
+
+def quadratic(max_indentation: float, acceleration: float) -> Path:
+    """At a constant acceleration [m/s2] from rest; the thesis' C is half of it."""
+    duration = np.sqrt(2 * max_indentation / acceleration)
+    return Path(np.array([0, duration]), np.array([0, max_indentation]), power=2)
+
+
+def load_hold_unload(
+    max_indentation: float,
+    rate: float,
+    hold_time: float,
+    unloading_rate: float,
+    retraction: float,
+) -> Path:
+    """Down at `rate` [m/s], held for `hold_time` [s], up at `unloading_rate` [m/s].
+
+    The road ends `retraction` [m] above where it first touched, so that every bond can part.
+    """
+    legs = np.array([0, max_indentation / rate, hold_time, 0])
+    legs[3] = (max_indentation + retraction) / unloading_rate
+    knots = np.array([0, max_indentation, max_indentation, -retraction])
+    kept = np.concatenate([[True], legs[1:] > 0])
+    return Path(np.cumsum(legs)[kept], knots[kept])

@@ -1,0 +1,196 @@
+"""The answer: steps as they come, and all of them together."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from tyrecontact.contact.adhesion import ElementState
+from tyrecontact.scenario import Scenario
+
+#: name -> (unit, meaning, type) of what is kept of each step
+SCALARS = {
+    "indentation": ("m", "Indentation of the road into the tread", float),
+    "contact_force": ("N", "Total contact force, positive when pressing", float),
+    "iterations": ("1", "Newton iterations of the step", np.int32),
+    "residual": ("m", "Largest residual of the contact equation", float),
+    "converged": ("1", "Whether the step converged (1) or not (0)", np.int8),
+    "contacts": ("1", "Number of elements in contact, bonded ones in tension included", np.int32),
+    "releases": ("1", "Number of bonds that broke in the step", np.int32),
+}
+FIELDS = {
+    "element_force": ("N", "Force on each element, positive when pressing", float),
+    "compression": ("m", "Compression of each roughness spring", float),
+    "displacement": ("m", "Displacement of the tread under each element", float),
+    "state": ("1", "State of each element", np.int8),
+}
+
+
+@dataclass(frozen=True)
+class Step:
+    """One solved time step; it belongs to whoever receives it.
+
+    Attributes
+    ----------
+    index, time : number of the step and its time [s].
+    indentation [m], contact_force [N], iterations, residual [m], converged, contacts, releases :
+        as in `SCALARS`.
+    element_force [N], compression [m], displacement [m], state : shape (ny, nx), as in `FIELDS`;
+        state is an `ElementState`.
+    stop_reason : why the run ends with this step although steps remain, or empty.
+    """
+
+    index: int
+    time: float
+    indentation: float
+    contact_force: float
+    iterations: int
+    residual: float
+    converged: bool
+    contacts: int
+    releases: int
+    element_force: np.ndarray
+    compression: np.ndarray
+    displacement: np.ndarray
+    state: np.ndarray
+    stop_reason: str = ""
+
+
+class Record:
+    """Rows of a run in preallocated arrays; `count` is raised last, so that readers may look on.
+
+    Attributes
+    ----------
+    count : number of steps recorded.
+    columns : name -> array, first axis the steps; rows from `count` on are not written yet.
+    stop_reason : why the run ended early, or empty.
+    """
+
+    def __init__(self, steps: int, shape: tuple[int, int]) -> None:
+        self.count = 0
+        self.stop_reason = ""
+        self.columns = {"time": np.zeros(steps)}
+        for name, (_, _, kind) in SCALARS.items():
+            self.columns[name] = np.zeros(steps, kind)
+        for name, (_, _, kind) in FIELDS.items():
+            self.columns[name] = np.zeros((steps, *shape), kind)
+
+    def append(self, step: Step) -> None:
+        for name, column in self.columns.items():
+            column[self.count] = getattr(step, name)
+        self.stop_reason = step.stop_reason
+        self.count += 1
+
+    def results(self, scenario: Scenario, spacing: float, stop_reason: str = "") -> Results:
+        """What was recorded so far, without the rows that were not."""
+        columns = {name: column[: self.count].copy() for name, column in self.columns.items()}
+        return Results(scenario, spacing, columns, stop_reason or self.stop_reason)
+
+
+@dataclass(frozen=True)
+class Results:
+    """A run, complete or as far as it came.
+
+    Attributes
+    ----------
+    scenario : what was asked.
+    spacing : side of an element [m].
+    columns : name -> array with the steps first: `time` [s], `SCALARS` and `FIELDS`.
+    stop_reason : "completed", or why the run ended early.
+    """
+
+    scenario: Scenario
+    spacing: float
+    columns: dict[str, np.ndarray]
+    stop_reason: str = "completed"
+
+    def __post_init__(self) -> None:
+        if not self.stop_reason:
+            object.__setattr__(self, "stop_reason", "completed")
+
+    def __getattr__(self, name: str) -> np.ndarray:
+        try:
+            return self.__dict__["columns"][name]
+        except KeyError:
+            raise AttributeError(f"Results has no {name!r}") from None
+
+    def __len__(self) -> int:
+        return len(self.columns["time"])
+
+    @property
+    def failed_at(self) -> int | None:
+        """Number of the first step that did not converge, or None."""
+        failed = np.flatnonzero(self.columns["converged"] == 0)
+        return int(failed[0]) if failed.size else None
+
+    @property
+    def adherence_force(self) -> float | None:
+        """Force at complete separation minus the least force [N]; None without a separation."""
+        contacts, force = self.columns["contacts"], self.columns["contact_force"]
+        if not (len(self) and contacts.any() and contacts[-1] == 0) or self.failed_at is not None:
+            return None
+        return float(-min(force.min(), 0.0))
+
+    @property
+    def final_stiffness(self) -> float | None:
+        """dF/dd [N/m] over the last tenth of the loading, a straight line fitted.
+
+        None where there are not three steps there, or one that did not converge.
+        """
+        if not len(self):
+            return None
+        depth = self.columns["indentation"]
+        top = int(depth.argmax())
+        last = np.flatnonzero(depth[: top + 1] >= 0.9 * depth[top])
+        if last.size < 3 or not self.columns["converged"][last].all():
+            return None
+        return float(np.polyfit(depth[last], self.columns["contact_force"][last], 1)[0])
+
+    def summary(self) -> dict[str, Any]:
+        """The headline figures, SI, as plain values."""
+        failed, iterations = self.failed_at, self.columns["iterations"]
+        where = None
+        if failed is not None:
+            where = {
+                "step": failed,
+                "time": float(self.columns["time"][failed]),
+                "indentation": float(self.columns["indentation"][failed]),
+            }
+        return {
+            "steps": len(self),
+            "stop_reason": self.stop_reason,
+            "failed_at": where,
+            "max_force": float(self.columns["contact_force"].max(initial=0.0)),
+            "adherence_force": self.adherence_force,
+            "final_stiffness": self.final_stiffness,
+            "iterations_max": int(iterations.max(initial=0)),
+            "iterations_mean": float(iterations.mean()) if len(self) else 0.0,
+        }
+
+    def to_xarray(self) -> xr.Dataset:
+        """Dataset with dimensions time, y, x; units and long_name on every variable."""
+        ny, nx = self.columns["element_force"].shape[1:]
+        middle = {"y": (np.arange(ny) + 0.5) * self.spacing, "x": (np.arange(nx) + 0.5) * self.spacing}
+        dataset = xr.Dataset(
+            coords={
+                "time": ("time", self.columns["time"], {"units": "s", "long_name": "Time"}),
+                "y": ("y", middle["y"], {"units": "m", "long_name": "Element centre, y"}),
+                "x": ("x", middle["x"], {"units": "m", "long_name": "Element centre, x"}),
+            },
+            attrs={
+                "title": "tyrecontact run",
+                "stop_reason": self.stop_reason,
+                "scenario": json.dumps(self.scenario.to_dict()),
+            },
+        )
+        for name, (unit, meaning, _) in {**SCALARS, **FIELDS}.items():
+            dimensions = ("time", "y", "x")[: self.columns[name].ndim]
+            attributes = {"units": unit, "long_name": meaning}
+            dataset[name] = (dimensions, self.columns[name], attributes)
+        dataset["state"].attrs["flag_values"] = np.array(list(ElementState), np.int8)
+        dataset["state"].attrs["flag_meanings"] = " ".join(s.name.lower() for s in ElementState)
+        return dataset

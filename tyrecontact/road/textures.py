@@ -1,0 +1,94 @@
+r"""Roads that are made: self-affine and worn surfaces (physics, section 1).
+
+A self-affine surface has the power spectrum
+
+    C(q) = C0 for q < q0,    C0 (q / q0)^(-2 (1 + H)) for q0 < q < q1,    0 above,
+
+with random phases; q0 = 2 pi / roll-off wavelength, q1 = 2 pi / short cut-off. A worn road is
+the lower of two such surfaces: stones and valleys, and the plateau to which traffic has
+polished the stones, min(valleys + offset, plateau). Its heights are skewed to the negative.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy import fft
+
+from tyrecontact.errors import InputError
+from tyrecontact.road.heights import Patch
+
+
+def self_affine(
+    size: float,
+    pitch: float,
+    rms: float,
+    *,
+    roll_off_wavelength: float,
+    hurst: float = 0.8,
+    cut_off_wavelength: float = 20e-6,
+    seed: int | np.random.Generator = 1,
+) -> Patch:
+    """A square random-phase surface with a self-affine spectrum.
+
+    Parameters
+    ----------
+    size : side [m]; twice as much is generated and cropped, so that the edges are unrelated.
+    pitch : [m].
+    rms : of the surface before it is cropped [m].
+    roll_off_wavelength : where the spectrum turns flat [m]: the size of the stones.
+    hurst : exponent H [-], 0 < H <= 1.
+    cut_off_wavelength : shortest wavelength [m].
+    seed : of the random phases; the same seed gives the same road.
+    """
+    for name, value in (("size", size), ("pitch", pitch), ("rms", rms)):
+        if not 0 < value < np.inf:
+            raise InputError(f"{name} of a road must be positive and finite, got {value} m")
+    if not 0 < hurst <= 1:
+        raise InputError(f"hurst must lie in (0, 1], got {hurst}")
+    if not 0 < cut_off_wavelength < roll_off_wavelength:
+        raise InputError(
+            f"roll_off_wavelength must exceed the cut-off of {cut_off_wavelength} m, "
+            f"got {roll_off_wavelength} m"
+        )
+    pixels = round(size / pitch)
+    count = 2 * pixels
+    rng = np.random.default_rng(seed)
+    q = np.hypot(np.fft.fftfreq(count, pitch)[:, None], np.fft.rfftfreq(count, pitch))
+    amplitude = np.maximum(q * roll_off_wavelength, 1.0) ** -(1 + hurst)
+    amplitude[q > 1 / cut_off_wavelength] = 0.0
+    amplitude[0, 0] = 0.0
+    spectrum = fft.rfft2(rng.standard_normal((count, count))) * amplitude
+    heights = fft.irfft2(spectrum, s=(count, count))
+    return Patch((heights * (rms / heights.std()))[:pixels, :pixels].copy(), pitch)
+
+
+def worn(
+    size: float,
+    pitch: float,
+    *,
+    valley_rms: float,
+    plateau_rms: float,
+    offset: float,
+    stone_size: float,
+    plateau_wavelength: float,
+    hurst: float = 0.8,
+    seed: int = 1,
+) -> Patch:
+    """A worn road: the lower of stones with valleys and of the plateau they are polished to.
+
+    Parameters
+    ----------
+    size, pitch : [m].
+    valley_rms, plateau_rms : of the two surfaces [m].
+    offset : how high the mean of the valley surface lies above that of the plateau [m]: the
+        larger, the more worn.
+    stone_size, plateau_wavelength : their roll-off wavelengths [m].
+    hurst, seed : as in `self_affine`.
+    """
+    rng = np.random.default_rng(seed)
+    shape = {"hurst": hurst, "seed": rng}
+    valleys = self_affine(size, pitch, valley_rms, roll_off_wavelength=stone_size, **shape)
+    plateau = self_affine(
+        size, pitch, plateau_rms, roll_off_wavelength=plateau_wavelength, **shape
+    )
+    return Patch(np.minimum(valleys.heights + offset, plateau.heights), pitch)

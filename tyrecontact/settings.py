@@ -1,0 +1,101 @@
+"""Settings: values with a default, bounds, a unit and a meaning, declared once.
+
+They are `param` parameters whose errors are one sentence with the unit in it. The unit, and the
+unit they are shown in on a form, are their `metadata`.
+"""
+
+from __future__ import annotations
+
+import math
+from numbers import Integral, Real
+from typing import Any
+
+import param
+
+from tyrecontact.errors import InputError, unknown_name
+
+
+def _path(parameter: param.Parameter) -> str:
+    owner = getattr(parameter.owner, "__name__", "")
+    return f"{owner.lower()}.{parameter.name}" if owner else str(parameter.name)
+
+
+class Quantity(param.Number):
+    """A real number with bounds (inclusive) and a unit; `shown_in` = (unit, factor) for forms."""
+
+    def __init__(
+        self,
+        default: float,
+        bounds: tuple[float, float],
+        unit: str,
+        doc: str,
+        shown_in: tuple[str, float] | None = None,
+    ) -> None:
+        metadata = {"unit": unit, "shown_in": shown_in or (unit, 1.0)}
+        super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata)
+
+    def _validate(self, val: Any) -> None:
+        low, high = self.bounds
+        unit = self.metadata["unit"]
+        number = isinstance(val, Real) and not isinstance(val, bool)
+        if not number or not low <= val <= high:
+            between = f"{low:g} and {high:g}{_spaced(unit)}"
+            got = f"{val!r}{_spaced(unit) if number and math.isfinite(val) else ''}"
+            raise InputError(f"{_path(self)} must be a number between {between}, got {got}")
+
+
+class Count(param.Integer):
+    """A whole number with bounds (inclusive)."""
+
+    def __init__(self, default: int, bounds: tuple[int, int], doc: str, unit: str = "") -> None:
+        metadata = {"unit": unit, "shown_in": (unit, 1.0)}
+        super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata)
+
+    def _validate(self, val: Any) -> None:
+        low, high = self.bounds
+        if not isinstance(val, Integral) or isinstance(val, bool) or not low <= val <= high:
+            raise InputError(
+                f"{_path(self)} must be a whole number between {low} and {high}, got {val!r}"
+            )
+
+
+class Choice(param.Selector):
+    """One of a few names."""
+
+    def __init__(self, default: str, names: list[str], doc: str) -> None:
+        metadata = {"unit": "", "shown_in": ("", 1.0)}
+        super().__init__(default=default, objects=names, doc=doc, metadata=metadata)
+
+    def _validate(self, val: Any) -> None:
+        if val not in self.objects:
+            raise unknown_name(_path(self), val, self.objects)
+
+
+class Text(param.String):
+    """A text, such as the name of a file."""
+
+    def __init__(self, default: str, doc: str) -> None:
+        metadata = {"unit": "", "shown_in": ("", 1.0)}
+        super().__init__(default=default, doc=doc, metadata=metadata)
+
+    def _validate(self, val: Any) -> None:
+        if not isinstance(val, str):
+            raise InputError(f"{_path(self)} must be a text, got {val!r}")
+
+
+def parsed(parameter: param.Parameter, text: str) -> Any:
+    """The value that a text (of a command line) stands for, not yet checked against bounds."""
+    if isinstance(parameter, Count):
+        kind: Any = int
+    elif isinstance(parameter, Quantity):
+        kind = float
+    else:
+        return text
+    try:
+        return kind(text)
+    except ValueError:
+        return text  # refused with a sentence when it is set
+
+
+def _spaced(unit: str) -> str:
+    return f" {unit}" if unit else ""

@@ -1,0 +1,1 @@
+"""The tread: viscoelastic layers, their surface compliance, and element kernels in time."""

@@ -1,0 +1,185 @@
+r"""Element kernels in time: displacement per force, by lag and by offset (physics, section 5).
+
+A kernel g turns the history of element forces into displacements of the tread,
+
+    u_n = sum_j g_j * F_(n-j),    j = 0 .. lags - 1,   * a convolution over the elements,
+
+the time step included in g. Its z-transform G(z) decides on stability: with every monotone
+spring the scheme is energy-stable if Herm[(1 - e^{-i theta}) G(e^{i theta})] >= 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.linalg import eigvalsh, toeplitz
+
+from tyrecontact.errors import InputError
+from tyrecontact.tread.elements import ElementLattice
+from tyrecontact.tread.materials import Layer
+from tyrecontact.tread.plate import surface_compliance
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """Displacement per force by lag and offset.
+
+    Attributes
+    ----------
+    values : [m/N], shape (lags, ny, nx); entry (n, i, j) is the displacement n steps later
+        and |i|, |j| elements away; the time step is included.
+    spacing : side of an element [m].
+    time_step : [s]; inf for a static kernel.
+    """
+
+    values: np.ndarray
+    spacing: float
+    time_step: float
+
+    @property
+    def lags(self) -> int:
+        return self.values.shape[0]
+
+    @property
+    def static_compliance(self) -> np.ndarray:
+        """Displacement per constant force [m/N], shape (ny, nx): the sum over the lags."""
+        return self.values.sum(axis=0)
+
+
+def passive(
+    layers: Sequence[Layer],
+    shape: tuple[int, int],
+    spacing: float,
+    time_step: float,
+    lags: int = 256,
+) -> Kernel:
+    """Kernel by convolution quadrature (BDF2): energy-stable, and exact in the statics.
+
+        g_n = 1 / (L r^n) sum_l C(delta(zeta_l) / dt) e^{2 pi i n l / L},
+        zeta_l = r e^{-2 pi i l / L},  L = 2 lags,  r = eps^(1/L),  delta = (1 - z) + (1 - z)^2 / 2
+
+    What the plate has still to creep after the last lag is added to the last lag, so that the
+    kernel's sum is the static compliance.
+
+    Parameters
+    ----------
+    layers : from the top down, rigid below the last.
+    shape : (ny, nx) elements.  spacing : their side [m].
+    time_step : [s].  lags : number of lags kept.
+
+    Source: C. Lubich, Numer. Math. 52 (1988) 129-145 and 413-425.
+    """
+    frequency = quadrature_frequencies(time_step, lags)
+    spectrum = _element_spectrum(np.append(frequency, 0), layers, shape, spacing)
+    growth = _contour_radius(lags) ** -np.arange(lags)
+    values = np.fft.irfft(spectrum[:-1], n=2 * lags, axis=0)[:lags] * growth[:, None, None]
+    values[-1] += spectrum[-1].real - values.sum(axis=0)
+    return Kernel(values, spacing, time_step)
+
+
+def band_limited(
+    layers: Sequence[Layer],
+    shape: tuple[int, int],
+    spacing: float,
+    time_step: float,
+    lags: int = 256,
+) -> Kernel:
+    """Kernel by "two times the real part" of the transfer functions up to half the sampling rate.
+
+    The thesis' kernel (chapter 3.3). The real part of C(2 pi i f), f = 0 .. 1 / (2 dt), has an
+    even inverse transform; twice its causal half, the first sample once, is the kernel. At the
+    Nyquist frequency its transform is Re C alone, which is not positive: the plate is mass-like
+    there. That is why time stepping with it is unstable on stiff springs (`critical_stiffness`).
+
+    Parameters as `passive`.
+    """
+    frequency = band_frequencies(time_step, lags)
+    spectrum = _element_spectrum(frequency, layers, shape, spacing)
+    values = 2 * np.fft.irfft(spectrum.real, n=2 * lags, axis=0)[:lags]
+    values[0] /= 2
+    return Kernel(values, spacing, time_step)
+
+
+def static(layers: Sequence[Layer], shape: tuple[int, int], spacing: float) -> Kernel:
+    """Kernel of one lag: the tread at rest under its forces. Parameters as `passive`."""
+    spectrum = _element_spectrum(np.zeros(1), layers, shape, spacing)
+    return Kernel(spectrum.real.copy(), spacing, np.inf)
+
+
+def interpolated(kernel: Kernel, factor: int) -> Kernel:
+    """The kernel at a time step `factor` times shorter, by the thesis' linear interpolation.
+
+    (N - 1) factor + 1 lags. The statics change: the sum falls by
+    (1 - 1/factor)(g_0 + g_(N-1)) / 2, about 10 % of the self compliance at factor 2.
+    """
+    if factor not in (1, 2, 4):
+        raise InputError(f"time_resolution_factor must be 1, 2 or 4 to interpolate, got {factor}")
+    old = np.arange(kernel.lags) * factor
+    new = np.arange((kernel.lags - 1) * factor + 1)
+    left = np.minimum(new // factor, kernel.lags - 2) if kernel.lags > 1 else new
+    share = ((new - old[left]) / factor)[:, None, None]
+    right = np.minimum(left + 1, kernel.lags - 1)
+    values = (1 - share) * kernel.values[left] + share * kernel.values[right]
+    return replace(kernel, values=values / factor, time_step=kernel.time_step / factor)
+
+
+def critical_stiffness(kernel: Kernel, shape: tuple[int, int]) -> float:
+    """Spring stiffness at which time stepping turns unstable with all elements in contact.
+
+    Every second step the force may change its sign and grow once one and the same stiffness k
+    on `shape` (ny, nx) elements reaches 1 / lambda_max(-sum_n (-1)^n g_n).
+
+    Returns
+    -------
+    [N/m]; inf where no stiffness is too much, as for every passive kernel.
+    """
+    ny, nx = shape
+    if not (0 < ny <= kernel.values.shape[1] and 0 < nx <= kernel.values.shape[2]):
+        raise InputError(f"shape must lie within the kernel's {kernel.values.shape[1:]}, got {shape}")
+    sign = (-1.0) ** np.arange(kernel.lags)
+    nyquist = np.tensordot(sign, kernel.values[:, :ny, :nx], axes=1)
+    blocks = np.array([toeplitz(row) for row in nyquist])
+    rows = np.abs(np.subtract.outer(np.arange(ny), np.arange(ny)))
+    matrix = blocks[rows].transpose(0, 2, 1, 3).reshape(ny * nx, ny * nx)
+    lowest = float(eigvalsh(matrix, subset_by_index=(0, 0))[0])
+    return -1 / lowest if lowest < 0 else np.inf
+
+
+def quadrature_frequencies(time_step: float, lags: int) -> np.ndarray:
+    """Where `passive` needs the compliance: delta(zeta_l) / dt [1/s], shape (lags + 1,)."""
+    _require_time(time_step, lags)
+    zeta = _contour_radius(lags) * np.exp(-1j * np.pi * np.arange(lags + 1) / lags)
+    return ((1 - zeta) + (1 - zeta) ** 2 / 2) / time_step
+
+
+def band_frequencies(time_step: float, lags: int) -> np.ndarray:
+    """Where `band_limited` needs the compliance: 2 pi i f [1/s], f up to 1 / (2 dt)."""
+    _require_time(time_step, lags)
+    return 2j * np.pi * np.fft.rfftfreq(2 * lags, time_step)
+
+
+def _contour_radius(lags: int) -> float:
+    return float(np.finfo(float).eps ** (1 / (2 * lags)))
+
+
+def _element_spectrum(
+    laplace_frequency: np.ndarray,
+    layers: Sequence[Layer],
+    shape: tuple[int, int],
+    spacing: float,
+) -> np.ndarray:
+    """Element compliance [m/N] at each s [1/s], shape (frequencies, ny, nx), complex."""
+    if not 0 < spacing < np.inf:
+        raise InputError(f"spacing must be positive and finite, got {spacing} m")
+    lattice = ElementLattice.around(shape, spacing, sum(layer.thickness for layer in layers))
+    k = lattice.wavenumbers[:, None]
+    return lattice.kernel(surface_compliance(k, laplace_frequency[None, :], layers))
+
+
+def _require_time(time_step: float, lags: int) -> None:
+    if not 0 < time_step < np.inf:
+        raise InputError(f"time_step must be positive and finite, got {time_step} s")
+    if not lags >= 2:
+        raise InputError(f"lags must be at least 2, got {lags}")

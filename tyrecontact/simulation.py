@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -69,6 +69,25 @@ class Simulation:
         except KeyboardInterrupt:
             reason = "stopped by the user"
         return self.collect(record, reason)
+
+    def quasi_static(self, steps: int) -> Simulation:
+        """The same path with the tread at rest in every step, robustly solved.
+
+        Of this simulation's steps about `steps` are kept, equally spaced along the path of the
+        road; time has no meaning for the tread at rest.
+        """
+        still = self.scenario.copy()
+        still.numerics.param.update(
+            kernel="static", solver="robust", initial_guess="last", tolerance=1e-7,
+            max_iterations=100,
+        )  # fmt: skip
+        other = Simulation(still)
+        travelled = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(self.indentation)))])
+        marks = np.linspace(0, travelled[-1], steps)
+        kept = np.unique(np.append(np.searchsorted(travelled, marks * (1 - 1e-12)), len(self) - 1))
+        other.time, other.indentation = self.time[kept], self.indentation[kept]
+        other.patch, other.springs = self.patch, self.springs
+        return other
 
     def collect(self, record: Record, stop_reason: str = "") -> Results:
         """Results of the steps that a consumer of the loop has recorded."""
@@ -159,18 +178,46 @@ def road_patch(road: Road) -> Patch:
     if road.file:
         found = scans.read(road.file, pitch=road.pitch or None, unit=road.height_unit or None)
         return heights.centred(found, road.elements, road.size)
-    made = textures.worn(
+    made = _made_road(
         road.size,
         road.pixel,
-        valley_rms=road.valley_rms,
-        plateau_rms=road.plateau_rms,
-        offset=road.valley_offset,
-        stone_size=road.stone_size,
-        plateau_wavelength=road.plateau_wavelength,
-        hurst=road.hurst,
-        seed=road.seed,
+        road.valley_rms,
+        road.plateau_rms,
+        road.valley_offset,
+        road.stone_size,
+        road.plateau_wavelength,
+        road.hurst,
+        road.seed,
     )
     return heights.centred(made, road.elements, road.size)
+
+
+@lru_cache(maxsize=4)
+def _made_road(
+    size: float,
+    pitch: float,
+    valley_rms: float,
+    plateau_rms: float,
+    offset: float,
+    stone_size: float,
+    plateau_wavelength: float,
+    hurst: float,
+    seed: int,
+) -> Patch:
+    """`textures.worn`, kept: the same few roads are asked for again and again."""
+    patch = textures.worn(
+        size,
+        pitch,
+        valley_rms=valley_rms,
+        plateau_rms=plateau_rms,
+        offset=offset,
+        stone_size=stone_size,
+        plateau_wavelength=plateau_wavelength,
+        hurst=hurst,
+        seed=seed,
+    )
+    patch.heights.flags.writeable = False
+    return patch
 
 
 def tread_kernel(
@@ -184,7 +231,7 @@ def tread_kernel(
     layers = tread_layers(tread)
     factor, step = numerics.time_resolution_factor, 1 / numerics.sampling_frequency
     if numerics.kernel == "static":
-        return kernels.static(layers, shape, spacing)
+        return cache.static(layers, shape, spacing)
     if numerics.kernel == "passive":
         return cache.passive(layers, shape, spacing, step / factor, numerics.lags * factor)
     coarse = cache.band_limited(layers, shape, spacing, step, numerics.lags)

@@ -48,6 +48,12 @@ def band_limited(
     return _kept(key, lambda: kernels.band_limited(layers, shape, spacing, time_step, lags))
 
 
+def static(layers: Sequence[Layer], shape: tuple[int, int], spacing: float) -> Kernel:
+    """`kernels.static`, from the disk if it is there."""
+    key = fingerprint("static", layers, shape, spacing, np.inf, 1, np.zeros(1))
+    return _kept(key, lambda: kernels.static(layers, shape, spacing))
+
+
 def fingerprint(
     method: str,
     layers: Sequence[Layer],

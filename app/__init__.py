@@ -1,0 +1,1 @@
+"""The page: what-if exploration of tyre/road contact in a browser (`panel serve app`)."""

@@ -1,0 +1,90 @@
+"""Contact force against indentation or time, with the quasi-static run in grey."""
+
+from __future__ import annotations
+
+import numpy as np
+from bokeh.models import ColumnDataSource
+
+from app.runner import Baseline
+from app.views.style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
+from tyrecontact.results import Record
+
+_COLUMNS = ("time_ms", "indentation_um", "force")
+#: vertical range before the first run [N]
+_TOP = 500.0
+
+
+class ForceView:
+    """Attributes: `root` a Bokeh figure; `source`, `failed`, `baseline` what it draws."""
+
+    def __init__(self) -> None:
+        self.source = ColumnDataSource({name: [] for name in _COLUMNS})
+        self.failed = ColumnDataSource({name: [] for name in _COLUMNS})
+        self.baseline = ColumnDataSource({name: [] for name in _COLUMNS})
+        self.root = plot("Contact force", "Force [N]", height=370, top=_TOP)
+        self._glyphs = []
+        self._line(self.baseline, GREY, 5, "quasi-static", alpha=0.55)
+        line = self._line(self.source, BLUE, 2, "this run")
+        marks = self.root.scatter(
+            "indentation_um", "force", source=self.failed, marker="x", size=7,
+            line_color=VERMILION, line_width=2, legend_label="not converged",
+        )  # fmt: skip
+        self._glyphs.append(marks)
+        tips = [("force", "@force{0.0} N"), ("indentation", "@indentation_um{0.0} µm")]
+        hover(self.root, line, [*tips, ("time", "@time_ms{0.000} ms")], "mouse")
+        self._failed_entry = self.root.legend[0].items[-1]
+        self._failed_entry.visible = False
+        legend = self.root.legend[0]
+        self.root.add_layout(legend, "above")
+        legend.update(orientation="horizontal", border_line_alpha=0, background_fill_alpha=0,
+                      padding=0, margin=4)  # fmt: skip
+
+    def _line(self, source: ColumnDataSource, color: str, width: float, label: str, alpha=1.0):
+        line = self.root.line(
+            "indentation_um", "force", source=source, line_color=color, line_width=width,
+            line_alpha=alpha, legend_label=label,
+        )  # fmt: skip
+        self._glyphs.append(line)
+        return line
+
+    def show_against(self, axis: Horizontal) -> None:
+        """Change the horizontal axis."""
+        put_on(self.root, self._glyphs, axis)
+
+    def reset(self) -> None:
+        for source in (self.source, self.failed, self.baseline):
+            source.data = {name: [] for name in _COLUMNS}
+        self._failed_entry.visible = False
+
+    def compare_with(self, baseline: Baseline) -> None:
+        """Draw the quasi-static run."""
+        self.baseline.data = {
+            "time_ms": baseline.time * 1e3,
+            "indentation_um": baseline.indentation * 1e6,
+            "force": baseline.contact_force,
+        }
+        force = baseline.contact_force
+        self.root.y_range.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max())
+
+    def update(self, record: Record, low: int, high: int) -> None:
+        """Add rows low .. high - 1."""
+        columns = record.columns
+        rows = {
+            "time_ms": columns["time"][low:high] * 1e3,
+            "indentation_um": columns["indentation"][low:high] * 1e6,
+            "force": columns["contact_force"][low:high],
+        }
+        self.source.stream(rows)
+        self._make_room_for(rows["force"])
+        bad = columns["converged"][low:high] == 0
+        if bad.any():
+            self._failed_entry.visible = True
+            self.failed.stream({name: np.asarray(values)[bad] for name, values in rows.items()})
+
+    def _make_room_for(self, force: np.ndarray) -> None:
+        """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""
+        span = self.root.y_range
+        if force.max() > span.end:
+            span.end = 1.5 * float(force.max())
+        if force.min() < span.start:
+            span.start = 1.5 * float(force.min())

@@ -1,0 +1,129 @@
+"""The figures that matter now, and one sentence on the state of the run."""
+
+from __future__ import annotations
+
+from html import escape
+
+import panel as pn
+
+from app.runner import Phase, Run
+
+_STYLE = """
+:host { --muted: color-mix(in srgb, currentColor 62%, transparent); }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(104px, 1fr)); gap: 8px; }
+.figure { border: 1px solid color-mix(in srgb, currentColor 18%, transparent);
+          border-radius: 8px; padding: 6px 10px; min-width: 0; }
+.label { font-size: 12px; color: var(--muted); white-space: nowrap; overflow: hidden;
+         text-overflow: ellipsis; }
+.value { font-size: 18px; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.unit { font-size: 12px; color: var(--muted); margin-left: 3px; }
+.state { margin: 10px 2px 0; min-height: 40px; font-size: 14px; line-height: 20px; }
+.state.bad { color: #D55E00; font-weight: 600; }
+"""
+
+
+class HeadlineView:
+    """Attributes: `root` a pane; `figures` name -> (value, unit) shown; `sentence` the state."""
+
+    def __init__(self) -> None:
+        self.figures: dict[str, tuple[str, str]] = {}
+        self.sentence = ""
+        self.root = pn.pane.HTML(
+            "", stylesheets=[_STYLE], sizing_mode="stretch_width", margin=(4, 8)
+        )
+        self.rest()
+
+    def rest(self) -> None:
+        """Before the first run."""
+        self._show(_figures(None), "Press Run: a rubber tread block is pressed onto a rough road.")
+
+    def refuse(self, sentence: str) -> None:
+        """Say why something was not accepted; the figures stay."""
+        self._show(self.figures, sentence[:1].upper() + sentence[1:], bad=True)
+
+    def update(self, run: Run) -> None:
+        """Show a run as far as it has come."""
+        sentence, bad = describe(run)
+        self._show(_figures(run), sentence, bad)
+
+    def _show(self, figures: dict[str, tuple[str, str]], sentence: str, bad: bool = False) -> None:
+        self.figures, self.sentence = figures, sentence
+        cells = "".join(
+            f'<div class="figure"><div class="label">{escape(name)}</div>'
+            f'<div class="value">{escape(value)}<span class="unit">{escape(unit)}</span></div></div>'
+            for name, (value, unit) in figures.items()
+        )
+        kind = "state bad" if bad else "state"
+        self.root.object = (
+            f'<div class="figures">{cells}</div>'
+            f'<div class="{kind}" role="status">{escape(sentence)}</div>'
+        )
+
+
+def _figures(run: Run | None) -> dict[str, tuple[str, str]]:
+    names = {"Indentation": "µm", "Force": "N", "Contacts": "", "Iterations": "",
+             "Peak force": "N", "Adherence": "N", "Final stiffness": "MN/m"}  # fmt: skip
+    shown = {name: ("–", unit) for name, unit in names.items()}
+    if run is None or run.record is None or run.record.count == 0:
+        return shown
+    columns, last = run.record.columns, run.record.count - 1
+    force = columns["contact_force"]
+    shown["Indentation"] = (f"{columns['indentation'][last] * 1e6:.1f}", "µm")
+    shown["Force"] = (three_digits(force[last]), "N")
+    shown["Contacts"] = (str(columns["contacts"][last]), "")
+    shown["Iterations"] = (str(columns["iterations"][last]), "")
+    shown["Peak force"] = (three_digits(force[: last + 1].max()), "N")
+    results = run.results() if run.phase.ended else None
+    if results is not None and results.adherence_force is not None:
+        shown["Adherence"] = (three_digits(results.adherence_force), "N")
+    if results is not None and results.final_stiffness is not None:
+        shown["Final stiffness"] = (three_digits(results.final_stiffness / 1e6), "MN/m")
+    return shown
+
+
+def three_digits(value: float) -> str:
+    """A number to three significant digits, without an exponent where it can be helped."""
+    if value == 0 or abs(value) >= 1e5 or abs(value) < 1e-3:
+        return "0" if value == 0 else f"{value:.2e}"
+    digits = f"{value:.3g}"
+    return f"{float(digits):.0f}" if "e" in digits else digits
+
+
+def describe(run: Run) -> tuple[str, bool]:
+    """One sentence on a run in plain words, and whether it is bad news."""
+    if run.phase is Phase.REFUSED:
+        return run.message[:1].upper() + run.message[1:] + ".", True
+    if run.record is None or run.simulation is None:
+        early = run.phase is Phase.STOPPED
+        return ("Stopped before the first step." if early else
+                "Preparing road, springs and kernel …"), False  # fmt: skip
+    count, total = run.record.count, len(run.simulation)
+    failure = _failure(run, count)
+    if run.phase is Phase.STOPPED:
+        return f"Stopped at step {count} of {total}; what was computed stays. {failure}", bool(failure)
+    if not run.phase.ended:
+        return failure or f"Step {count} of {total}, all converged.", bool(failure)
+    if run.record.stop_reason:
+        reason = run.record.stop_reason
+        return f"{reason[:1].upper()}{reason[1:]}.", True
+    return failure or f"Complete: {total} steps, all converged.", bool(failure)
+
+
+def _failure(run: Run, count: int) -> str:
+    assert run.record is not None
+    bad = (run.record.columns["converged"][:count] == 0).nonzero()[0]
+    if bad.size == 0:
+        return ""
+    first = int(bad[0])
+    columns = run.record.columns
+    advice = "try a smaller time step or more iterations"
+    if run.scenario.numerics.kernel == "band-limited":
+        advice = (
+            "the band-limited kernel is unstable on stiff springs; try time-resolution factor 4, "
+            "or the passive kernel"
+        )
+    return (
+        f"Step {first}, at {columns['indentation'][first] * 1e6:.1f} µm: not converged after "
+        f"{columns['iterations'][first]} iterations, residual {columns['residual'][first]:.1e} m "
+        f"({bad.size} such steps); {advice}."
+    )

@@ -1,0 +1,69 @@
+"""What all plots share: colours that survive colour-blindness, and quiet figures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from bokeh.models import HoverTool, Range1d
+from bokeh.plotting import figure
+
+#: Okabe and Ito's palette
+BLUE, VERMILION, ORANGE, PURPLE = "#0072B2", "#D55E00", "#E69F00", "#CC79A7"
+GREY = "#8A8F98"
+
+
+@dataclass(frozen=True)
+class Horizontal:
+    """A choice of horizontal axis: the column, its label, and its range for a run."""
+
+    column: str
+    label: str
+    span: tuple[float, float]
+
+
+def horizontal(name: str, time: np.ndarray, indentation: np.ndarray) -> Horizontal:
+    """The axis "indentation" or "time" for a run whose steps are at time [s], indentation [m]."""
+    if name == "time":
+        return Horizontal("time_ms", "Time [ms]", (0.0, float(time[-1]) * 1e3))
+    span = float(indentation.min()) * 1e6, float(indentation.max()) * 1e6
+    return Horizontal("indentation_um", "Indentation [µm]", span)
+
+
+def put_on(fig: figure, renderers: list[Any], axis: Horizontal) -> None:
+    """Draw renderers against a horizontal axis."""
+    for renderer in renderers:
+        renderer.glyph.x = axis.column
+    fig.xaxis.axis_label = axis.label
+    fig.x_range.update(start=axis.span[0], end=axis.span[1])
+
+
+def plot(title: str, y_label: str, height: int, top: float) -> figure:
+    """A figure in the house style, its vertical axis from 0 to `top`."""
+    fig = figure(
+        title=title,
+        x_axis_label="Indentation [µm]",
+        y_axis_label=y_label,
+        x_range=Range1d(0, 200),
+        y_range=Range1d(0, top),
+        height=height,
+        sizing_mode="stretch_width",
+        tools="pan,box_zoom,wheel_zoom,reset,save",
+        active_drag=None,
+        active_scroll=None,
+        toolbar_location="above",
+        output_backend="canvas",
+        min_border_left=64,
+    )
+    fig.toolbar.logo = None
+    fig.toolbar.autohide = True
+    fig.xaxis.axis_label_text_font_style = "normal"
+    fig.yaxis.axis_label_text_font_style = "normal"
+    fig.title.text_font_size = "14px"
+    return fig
+
+
+def hover(fig: figure, renderer: Any, tooltips: list[tuple[str, str]], mode: str) -> None:
+    """Show values at the pointer, for one renderer alone."""
+    fig.add_tools(HoverTool(renderers=[renderer], tooltips=tooltips, mode=mode))

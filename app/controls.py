@@ -112,7 +112,9 @@ class Controls:
             if "road" in parts:
                 rows.insert(0, self.road_file.root)
             groups.append((title, pmui.Column(*rows, sizing_mode="stretch_width")))
-        return pmui.Accordion(*groups, title_variant="body1", sizing_mode="stretch_width", margin=(10, 5))
+        return pmui.Accordion(
+            *groups, title_variant="body1", sizing_mode="stretch_width", margin=(10, 5)
+        )
 
     @staticmethod
     def _value(scenario: Scenario, path: str) -> Any:

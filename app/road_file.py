@@ -31,7 +31,9 @@ class RoadFile:
         self._folder: tempfile.TemporaryDirectory[str] | None = None
         self._path: Path | None = None
         self.file = pmui.FileInput(
-            label="Road file", accept=".npy,.npz,.txt,.csv,.dat,.asc,.tsv", sizing_mode="stretch_width"
+            label="Road file",
+            accept=".npy,.npz,.txt,.csv,.dat,.asc,.tsv",
+            sizing_mode="stretch_width",
         )
         self.pitch = pmui.FloatInput(
             label="Pitch of the file [µm]", value=None, size="small", sizing_mode="stretch_width"

@@ -59,7 +59,7 @@ def _describe(_: argparse.Namespace) -> None:
         bounds = getattr(parameter, "bounds", None)
         span = "any text"
         if choices:
-            span = " | ".join(repr(name) if not name else name for name in choices)
+            span = " | ".join(name or repr(name) for name in choices)
         elif bounds:
             span = f"{bounds[0]:g} to {bounds[1]:g}"
         unit = parameter.metadata["unit"]

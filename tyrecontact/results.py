@@ -174,7 +174,10 @@ class Results:
     def to_xarray(self) -> xr.Dataset:
         """Dataset with dimensions time, y, x; units and long_name on every variable."""
         ny, nx = self.columns["element_force"].shape[1:]
-        middle = {"y": (np.arange(ny) + 0.5) * self.spacing, "x": (np.arange(nx) + 0.5) * self.spacing}
+        middle = {
+            "y": (np.arange(ny) + 0.5) * self.spacing,
+            "x": (np.arange(nx) + 0.5) * self.spacing,
+        }
         dataset = xr.Dataset(
             coords={
                 "time": ("time", self.columns["time"], {"units": "s", "long_name": "Time"}),

@@ -32,7 +32,9 @@ class Road(param.Parameterized):
     elements = Count(20, (2, 128), "Elements along a side of the patch")
     seed = Count(1, (0, 2**32 - 1), "Seed of the made road")
     pixel = Quantity(25e-6, (5e-6, 1e-3), "m", "Pitch of the made road", _UM)
-    stone_size = Quantity(5e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of stones and valleys", _MM)
+    stone_size = Quantity(
+        5e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of stones and valleys", _MM
+    )
     valley_rms = Quantity(150e-6, (1e-6, 5e-3), "m", "Rms height of stones and valleys", _UM)
     valley_offset = Quantity(
         120e-6, (-5e-3, 5e-3), "m", "Mean of the valleys' surface above the plateau: wear", _UM
@@ -59,7 +61,9 @@ class Tread(param.Parameterized):
 
     static_modulus = Quantity(25e6, (1e4, 1e12), "Pa", "Young's modulus at rest", _MPA)
     exponent = Quantity(0.6091, (0.05, 1.0), "", "Exponent of the fractional Kelvin-Voigt law")
-    relaxation_time = Quantity(3.717e-6, (1e-12, 1.0), "s", "Time constant of that law", ("µs", 1e6))
+    relaxation_time = Quantity(
+        3.717e-6, (1e-12, 1.0), "s", "Time constant of that law", ("µs", 1e6)
+    )
     poissons_ratio = Quantity(0.499, (-0.9, 0.4999), "", "Poisson's ratio of the tread")
     density = Quantity(1300.0, (1.0, 3e4), "kg/m3", "Density of the tread")
     thickness = Quantity(10e-3, (0.1e-3, 0.2), "m", "Thickness of the tread", _MM)
@@ -109,7 +113,9 @@ class Numerics(param.Parameterized):
     tolerance = Quantity(1e-10, (1e-13, 1e-3), "", "Largest residual, per largest indentation")
     max_iterations = Count(10, (1, 1000), "Newton iterations allowed in a step")
     initial_guess = Choice(
-        "extrapolated", ["extrapolated", "last"], "First guess: from the last two steps, or the last"
+        "extrapolated",
+        ["extrapolated", "last"],
+        "First guess: from the last two steps, or the last",
     )
 
 
@@ -148,7 +154,7 @@ class Scenario(param.Parameterized):
         part, parameter = self.find(path)
         if isinstance(value, str):
             value = parsed(parameter, value)
-        setattr(part, parameter.name, value)
+        setattr(part, path.partition(".")[2], value)
 
     def find(self, path: str) -> tuple[param.Parameterized, param.Parameter]:
         """The part and the declaration of a setting, from its path."""

@@ -7,8 +7,8 @@ unit they are shown in on a form, are their `metadata`.
 from __future__ import annotations
 
 import math
-from numbers import Integral, Real
-from typing import Any
+from numbers import Real
+from typing import Any, cast
 
 import param
 
@@ -16,8 +16,12 @@ from tyrecontact.errors import InputError, unknown_name
 
 
 def _path(parameter: param.Parameter) -> str:
-    owner = getattr(parameter.owner, "__name__", "")
-    return f"{owner.lower()}.{parameter.name}" if owner else str(parameter.name)
+    """Part and name, "loading.rate"; a declaration's owner is a class, or an instance of it."""
+    owner = parameter.owner
+    if owner is None:
+        return str(parameter.name)
+    kind = owner if isinstance(owner, type) else type(owner)
+    return f"{kind.__name__.lower()}.{parameter.name}"
 
 
 class Quantity(param.Number):
@@ -35,7 +39,7 @@ class Quantity(param.Number):
         super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata)
 
     def _validate(self, val: Any) -> None:
-        low, high = self.bounds
+        low, high = cast(tuple[float, float], self.bounds)
         unit = self.metadata["unit"]
         number = isinstance(val, Real) and not isinstance(val, bool)
         if not number or not low <= val <= high:
@@ -52,8 +56,8 @@ class Count(param.Integer):
         super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata)
 
     def _validate(self, val: Any) -> None:
-        low, high = self.bounds
-        if not isinstance(val, Integral) or isinstance(val, bool) or not low <= val <= high:
+        low, high = cast(tuple[float, float], self.bounds)
+        if not isinstance(val, int) or isinstance(val, bool) or not low <= val <= high:
             raise InputError(
                 f"{_path(self)} must be a whole number between {low} and {high}, got {val!r}"
             )
@@ -86,7 +90,7 @@ class Text(param.String):
 def parsed(parameter: param.Parameter, text: str) -> Any:
     """The value that a text (of a command line) stands for, not yet checked against bounds."""
     if isinstance(parameter, Count):
-        kind: Any = int
+        kind: type = int
     elif isinstance(parameter, Quantity):
         kind = float
     else:

@@ -4,23 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 
-from tyrecontact import loading
+from tyrecontact import assembly
 from tyrecontact.contact import newton
 from tyrecontact.contact.adhesion import ElementState, ReleaseForce
 from tyrecontact.contact.equilibrium import Bodies, Equilibrium, Solver, State, advance
 from tyrecontact.contact.lattice import LatticeKernel
-from tyrecontact.errors import InputError
 from tyrecontact.results import Record, Results, Step
-from tyrecontact.road import heights, scans, springs, textures
+from tyrecontact.road import heights
 from tyrecontact.road.heights import Patch
-from tyrecontact.scenario import Loading, Numerics, Road, Scenario, Tread
-from tyrecontact.tread import cache, kernels
+from tyrecontact.road.springs import Springs
+from tyrecontact.scenario import Scenario
 from tyrecontact.tread.kernels import Kernel
-from tyrecontact.tread.materials import FractionalKelvinVoigt, Layer, NearlyConstantLoss
 
 
 class Simulation:
@@ -43,7 +41,7 @@ class Simulation:
         self.scenario = scenario.copy()
         numerics = self.scenario.numerics
         self.time_step = 1 / (numerics.sampling_frequency * numerics.time_resolution_factor)
-        path = _loading_path(self.scenario.loading)
+        path = assembly.loading_path(self.scenario.loading)
         self.time, self.indentation = path.sampled(self.time_step)
 
     def __len__(self) -> int:
@@ -96,26 +94,17 @@ class Simulation:
     @cached_property
     def patch(self) -> Patch:
         """The road under the patch, at full resolution."""
-        return road_patch(self.scenario.road)
+        return assembly.road_patch(self.scenario.road)
 
     @cached_property
-    def springs(self) -> springs.Springs:
+    def springs(self) -> Springs:
         """Roughness springs, after the exchange; element (row, column) is row x nx + column."""
-        settings, road = self.scenario.springs, self.scenario.road
-        blocks = heights.element_heights(self.patch, road.elements).reshape(road.elements**2, -1)
-        original = springs.from_heights(blocks, self.patch.pitch, settings.youngs_modulus)
-        return springs.exchange_stiffest(
-            original, settings.exchange_count, settings.exchange_compression
-        )
+        return assembly.roughness_springs(self.patch, self.scenario)
 
     @cached_property
     def kernel(self) -> Kernel:
         """Element kernel of the tread."""
-        road = self.scenario.road
-        shape = (road.elements, road.elements)
-        return tread_kernel(
-            self.scenario.tread, self.scenario.numerics, shape, road.size / road.elements
-        )
+        return assembly.tread_kernel(self.scenario)
 
     @cached_property
     def bodies(self) -> Bodies:
@@ -171,94 +160,3 @@ class Simulation:
                 "max_iterations, or the passive kernel"
             )
         return ""
-
-
-def road_patch(road: Road) -> Patch:
-    """The patch of road that a scenario asks for, cut to its size."""
-    if road.file:
-        found = scans.read(road.file, pitch=road.pitch or None, unit=road.height_unit or None)
-        return heights.centred(found, road.elements, road.size)
-    made = _made_road(
-        road.size,
-        road.pixel,
-        road.valley_rms,
-        road.plateau_rms,
-        road.valley_offset,
-        road.stone_size,
-        road.plateau_wavelength,
-        road.hurst,
-        road.seed,
-    )
-    return heights.centred(made, road.elements, road.size)
-
-
-@lru_cache(maxsize=4)
-def _made_road(
-    size: float,
-    pitch: float,
-    valley_rms: float,
-    plateau_rms: float,
-    offset: float,
-    stone_size: float,
-    plateau_wavelength: float,
-    hurst: float,
-    seed: int,
-) -> Patch:
-    """`textures.worn`, kept: the same few roads are asked for again and again."""
-    patch = textures.worn(
-        size,
-        pitch,
-        valley_rms=valley_rms,
-        plateau_rms=plateau_rms,
-        offset=offset,
-        stone_size=stone_size,
-        plateau_wavelength=plateau_wavelength,
-        hurst=hurst,
-        seed=seed,
-    )
-    patch.heights.flags.writeable = False
-    return patch
-
-
-def tread_kernel(
-    tread: Tread, numerics: Numerics, shape: tuple[int, int], spacing: float
-) -> Kernel:
-    """The kernel that a scenario asks for; kernels in time come from the cache on disk.
-
-    At a finer time resolution the passive kernel is recomputed with as many more lags; the
-    band-limited one is interpolated, as in the thesis.
-    """
-    layers = tread_layers(tread)
-    factor, step = numerics.time_resolution_factor, 1 / numerics.sampling_frequency
-    if numerics.kernel == "static":
-        return cache.static(layers, shape, spacing)
-    if numerics.kernel == "passive":
-        return cache.passive(layers, shape, spacing, step / factor, numerics.lags * factor)
-    coarse = cache.band_limited(layers, shape, spacing, step, numerics.lags)
-    return kernels.interpolated(coarse, factor)
-
-
-def tread_layers(tread: Tread) -> list[Layer]:
-    """The layers of a tread, from the top down."""
-    rubber = FractionalKelvinVoigt(tread.static_modulus, tread.relaxation_time, tread.exponent)
-    base = NearlyConstantLoss(tread.base_modulus, tread.base_loss_factor)
-    return [
-        Layer(tread.thickness, tread.density, rubber, tread.poissons_ratio),
-        Layer(tread.base_thickness, tread.base_density, base, tread.base_poissons_ratio),
-    ]
-
-
-def _loading_path(settings: Loading) -> loading.Path:
-    if settings.profile == "linear":
-        return loading.linear(settings.max_indentation, settings.rate)
-    if settings.profile == "quadratic":
-        return loading.quadratic(settings.max_indentation, settings.acceleration)
-    if settings.profile == "load-hold-unload":
-        return loading.load_hold_unload(
-            settings.max_indentation,
-            settings.rate,
-            settings.hold_time,
-            settings.unloading_rate,
-            settings.retraction,
-        )
-    raise InputError(f"loading.profile must be a known one, got {settings.profile!r}")

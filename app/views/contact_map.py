@@ -18,11 +18,12 @@ class ContactMapView:
     """Attributes: `root` a Bokeh figure; `image`, `tension` what it draws; `mapper` its scale."""
 
     def __init__(self) -> None:
-        self.image = ColumnDataSource({"force": [], "side": []})
-        self.tension = ColumnDataSource({"x": [], "y": [], "force": []})
+        self.image = ColumnDataSource({"force": [], "side": []}, name="map")
+        self.tension = ColumnDataSource({"x": [], "y": [], "force": []}, name="tension")
         self.mapper = LinearColorMapper(Cividis256, low=0, high=1, nan_color=_APART)
         self.root = figure(
-            title="Contact map  (▼ bonded, in tension)", x_axis_label="x [mm]", y_axis_label="y [mm]",
+            title="Contact map  (▼ bonded, in tension)",
+            x_axis_label="x [mm]", y_axis_label="y [mm]",
             aspect_ratio=0.84, sizing_mode="scale_width", x_range=(0, 20), y_range=(0, 20),
             tools="save", toolbar_location="above", output_backend="canvas",
         )  # fmt: skip

@@ -18,7 +18,7 @@ class ForceView:
     """Attributes: `root` a Bokeh figure; `source`, `failed`, `baseline` what it draws."""
 
     def __init__(self) -> None:
-        self.source = ColumnDataSource({name: [] for name in _COLUMNS})
+        self.source = ColumnDataSource({name: [] for name in _COLUMNS}, name="force")
         self.failed = ColumnDataSource({name: [] for name in _COLUMNS})
         self.baseline = ColumnDataSource({name: [] for name in _COLUMNS})
         self.root = plot("Contact force", "Force [N]", height=370, top=_TOP)

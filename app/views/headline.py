@@ -39,7 +39,7 @@ class HeadlineView:
 
     def refuse(self, sentence: str) -> None:
         """Say why something was not accepted; the figures stay."""
-        self._show(self.figures, sentence[:1].upper() + sentence[1:], bad=True)
+        self._show(self.figures, f"Not accepted: {sentence}.", bad=True)
 
     def update(self, run: Run) -> None:
         """Show a run as far as it has come."""
@@ -50,7 +50,8 @@ class HeadlineView:
         self.figures, self.sentence = figures, sentence
         cells = "".join(
             f'<div class="figure"><div class="label">{escape(name)}</div>'
-            f'<div class="value">{escape(value)}<span class="unit">{escape(unit)}</span></div></div>'
+            f'<div class="value">{escape(value)}<span class="unit">{escape(unit)}</span></div>'
+            "</div>"
             for name, (value, unit) in figures.items()
         )
         kind = "state bad" if bad else "state"
@@ -92,7 +93,7 @@ def three_digits(value: float) -> str:
 def describe(run: Run) -> tuple[str, bool]:
     """One sentence on a run in plain words, and whether it is bad news."""
     if run.phase is Phase.REFUSED:
-        return run.message[:1].upper() + run.message[1:] + ".", True
+        return f"Not run: {run.message}.", True
     if run.record is None or run.simulation is None:
         early = run.phase is Phase.STOPPED
         return ("Stopped before the first step." if early else
@@ -100,7 +101,9 @@ def describe(run: Run) -> tuple[str, bool]:
     count, total = run.record.count, len(run.simulation)
     failure = _failure(run, count)
     if run.phase is Phase.STOPPED:
-        return f"Stopped at step {count} of {total}; what was computed stays. {failure}", bool(failure)
+        return f"Stopped at step {count} of {total}; what was computed stays. {failure}", bool(
+            failure
+        )
     if not run.phase.ended:
         return failure or f"Step {count} of {total}, all converged.", bool(failure)
     if run.record.stop_reason:

@@ -14,7 +14,7 @@ class IterationsView:
     """Attributes: `root` a Bokeh figure; `source`, `failed` what it draws."""
 
     def __init__(self) -> None:
-        self.source = ColumnDataSource({name: [] for name in _COLUMNS})
+        self.source = ColumnDataSource({name: [] for name in _COLUMNS}, name="iterations")
         self.failed = ColumnDataSource({name: [] for name in _COLUMNS})
         self.root = plot("Newton iterations a step", "Iterations", height=230, top=11)
         self.limit = Span(dimension="width", location=10, line_color=GREY, line_dash="dashed")

@@ -95,7 +95,9 @@ class History:
         if split < count:
             older = self._past[: count - split]
             total += np.einsum("lm,lm->m", self._lagged[split:count], older)
-        return self._kernel.displacement(total.view(complex).reshape(self._kernel.spectra.shape[1:]))
+        return self._kernel.displacement(
+            total.view(complex).reshape(self._kernel.spectra.shape[1:])
+        )
 
     def remember(self, force: np.ndarray) -> None:
         """Take the element forces [N], (ny, nx), of the step that has been solved."""

@@ -92,7 +92,11 @@ class _Point:
 
     @classmethod
     def at(
-        cls, kernel: LatticeKernel, interface: Interface, target: np.ndarray, compression: np.ndarray
+        cls,
+        kernel: LatticeKernel,
+        interface: Interface,
+        target: np.ndarray,
+        compression: np.ndarray,
     ) -> _Point:
         force, stiffness = interface.force_and_stiffness(compression)
         displacement = kernel.instant(force)

@@ -90,7 +90,7 @@ def centred(patch: Patch, elements: int, size: float) -> Patch:
         )
     side = size / elements
     pixels = int(np.ceil(side / patch.pitch * (1 - 1e-9)))
-    if pixels < MIN_PIXELS:
+    if side < MIN_PIXELS * patch.pitch * (1 - 1e-9):
         raise InputError(
             f"pitch must give at least {MIN_PIXELS} heights a side of an element "
             f"({side * 1e3 / MIN_PIXELS:.4g} mm), got {patch.pitch * 1e3:.4g} mm"

@@ -18,7 +18,7 @@ from scipy.interpolate import CubicSpline
 
 from tyrecontact.errors import InputError
 
-#: a/h between which kappa is solved for and tabulated; below, kappa is linear in a/h; above, a power law
+#: a/h where kappa is solved for; below them it is taken as linear in a/h, above as a power of it
 _RATIOS = np.geomspace(1e-3, 64, 97)
 #: L(u) - 1 is below 1e-15 beyond this u
 _CUT_OFF = 24.0
@@ -39,7 +39,7 @@ def stiffness_factor(
     -------
     kappa [-], shape of `radius_over_thickness`. Solved once per Poisson's ratio on a
     logarithmic grid and interpolated: relative error below 1e-6 up to a/h = 64, where it
-    passes into the power law that a thin film tends to (a/h cubed if incompressible).
+    goes on as the power law that it has there (9 % too low at a/h = 500 if incompressible).
 
     Raises
     ------
@@ -69,9 +69,12 @@ def _table(poissons_ratio: float) -> tuple[CubicSpline, float]:
 
 
 def _solve(ratio: float, poissons_ratio: float) -> float:
-    """kappa at one a/h by Nystrom's method; the kernel is entire, so convergence is exponential."""
-    t, weight = _gauss(int(20 + 2 * ratio))
-    u, du = _gauss(int(48 + 14 * ratio))
+    """kappa at one a/h by Nystrom's method.
+
+    The kernel is entire, so convergence is exponential once its width of h/a is resolved.
+    """
+    t, weight = _gauss(64 * int(np.ceil((40 + 6 * ratio) / 64)))
+    u, du = _gauss(128 * int(np.ceil((64 + 20 * ratio) / 128)))
     u, du = u * _CUT_OFF, du * _CUT_OFF
     cosine = np.cos(ratio * np.outer(t, u))
     kernel = 2 / np.pi * ratio * (cosine * ((_layer(u, poissons_ratio) - 1) * du)) @ cosine.T
@@ -85,6 +88,7 @@ def _layer(u: np.ndarray, poissons_ratio: float) -> np.ndarray:
     return (2 * k0 * np.sinh(2 * u) - 4 * u) / (2 * k0 * np.cosh(2 * u) + 4 * u**2 + 1 + k0**2)
 
 
+@lru_cache(maxsize=32)
 def _gauss(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Gauss-Legendre nodes and weights on [0, 1]."""
     x, weight = special.roots_legendre(count)

@@ -86,9 +86,10 @@ def worn(
     hurst, seed : as in `self_affine`.
     """
     rng = np.random.default_rng(seed)
-    shape = {"hurst": hurst, "seed": rng}
-    valleys = self_affine(size, pitch, valley_rms, roll_off_wavelength=stone_size, **shape)
+    valleys = self_affine(
+        size, pitch, valley_rms, roll_off_wavelength=stone_size, hurst=hurst, seed=rng
+    )
     plateau = self_affine(
-        size, pitch, plateau_rms, roll_off_wavelength=plateau_wavelength, **shape
+        size, pitch, plateau_rms, roll_off_wavelength=plateau_wavelength, hurst=hurst, seed=rng
     )
     return Patch(np.minimum(valleys.heights + offset, plateau.heights), pitch)

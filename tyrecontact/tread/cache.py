@@ -21,7 +21,7 @@ from tyrecontact.tread.kernels import Kernel
 from tyrecontact.tread.materials import Layer
 
 #: raise it when a change of the code changes the numbers of a kernel
-_FORMAT = 1
+_FORMAT = 2
 
 
 def directory() -> Path:
@@ -104,9 +104,7 @@ def _write(path: Path, key: str, kernel: Kernel) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as file:
             temporary = Path(file.name)
-            np.savez(
-                file, values=kernel.values, geometry=geometry, fingerprint=key, digest=digest
-            )
+            np.savez(file, values=kernel.values, geometry=geometry, fingerprint=key, digest=digest)
         temporary.replace(path)
     except OSError:  # a cache that cannot be written costs time, not the run
         if temporary is not None:

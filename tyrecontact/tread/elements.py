@@ -32,7 +32,8 @@ _SMOOTH_ABOVE = 3.0
 class ElementLattice:
     """The geometry: `shape` (ny, nx) elements of side `spacing` [m], repeated every `period`.
 
-    `period` counts elements, is even, and holds the patch and room for the waves to die.
+    `period` counts elements, is even, and holds the patch and room for the waves to die. With
+    room for 10 thicknesses (`around`) kernels are accurate to 2e-5 of the self compliance.
     """
 
     shape: tuple[int, int]

@@ -52,29 +52,32 @@ class FractionalKelvinVoigt:
 
 @dataclass(frozen=True)
 class NearlyConstantLoss:
-    """E(s) = E0 [1 + (2 eta / pi) ln(1 + s / s0)]: a loss factor near eta above 10 Hz, causal.
+    """E(s) = E0 [1 + (2 eta / pi) ln(1 + s / s0)]: a nearly constant loss factor, causal.
 
     A loss factor that is the same at every frequency, E0 (1 + i eta), is not causal; this is
-    the causal law that comes closest to it and is E0 at rest. s0 = 2 pi x 1 Hz.
+    the causal law that comes closest to it and is E0 at rest.
 
     Attributes
     ----------
     static_modulus : E0 [Pa].
     loss_factor : eta [-], 0 <= eta < 0.1 (the law is the first order in eta).
+    corner_frequency : s0 / 2 pi [Hz], from ten times which on the loss factor is eta.
     """
 
     static_modulus: float
     loss_factor: float = 0.0
+    corner_frequency: float = 1.0
 
     def __post_init__(self) -> None:
         _require_positive(self.static_modulus, "static_modulus", "Pa")
         if not 0 <= self.loss_factor < 0.1:
             raise InputError(f"loss_factor must lie in [0, 0.1), got {self.loss_factor}")
+        _require_positive(self.corner_frequency, "corner_frequency", "Hz")
 
     def __call__(self, laplace_frequency: np.ndarray) -> np.ndarray:
         s = np.asarray(laplace_frequency, dtype=complex)
         slope = 2 * self.loss_factor / np.pi
-        return self.static_modulus * (1 + slope * np.log1p(s / (2 * np.pi)))
+        return self.static_modulus * (1 + slope * np.log1p(s / (2 * np.pi * self.corner_frequency)))
 
 
 @dataclass(frozen=True)

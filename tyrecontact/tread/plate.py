@@ -50,7 +50,9 @@ def surface_compliance(
     Source: physics.md section 3; P-SV theory as in Achenbach, Wave Propagation in Elastic
     Solids (1973), chapter 5; the recursion is that of the compliance matrix from the base up.
     """
-    k, s = np.broadcast_arrays(np.asarray(wavenumber, float), np.asarray(laplace_frequency, complex))
+    k, s = np.broadcast_arrays(
+        np.asarray(wavenumber, float), np.asarray(laplace_frequency, complex)
+    )
     if not layers:
         raise InputError("layers must hold at least one layer, got none")
     if not np.all((k >= 0) & np.isfinite(k)):
@@ -64,9 +66,7 @@ def surface_compliance(
     return np.where(at_rest, _oedometer_compliance(layers), -below[..., 1, 1])
 
 
-def _compliance_on_top(
-    k: np.ndarray, s: np.ndarray, layer: Layer, below: np.ndarray
-) -> np.ndarray:
+def _compliance_on_top(k: np.ndarray, s: np.ndarray, layer: Layer, below: np.ndarray) -> np.ndarray:
     """Compliance matrix (..., 2, 2) on top of a layer, from that under it."""
     waves = _Waves(k, s, layer)
     down_u, down_t = waves.fields(layer.thickness, +1)

@@ -1,0 +1,25 @@
+# The page as a service: `docker build -t tyrecontact . && docker run -p 5006:5006 tyrecontact`
+FROM python:3.12-slim
+
+ENV PYTHONUNBUFFERED=1 PIP_NO_CACHE_DIR=1 OPENBLAS_NUM_THREADS=1
+WORKDIR /srv/tyrecontact
+
+# what changes least comes first: an edit of the package does not install its dependencies again
+COPY tests/constraints.txt pyproject.toml README.md ./
+RUN mkdir -p tyrecontact && touch tyrecontact/__init__.py && pip install -c constraints.txt ".[app]"
+
+COPY tyrecontact tyrecontact
+COPY app app
+RUN pip install --no-deps --force-reinstall .
+
+RUN useradd --create-home --uid 10001 tyrecontact
+USER tyrecontact
+# the kernels of the presets are ready before the first visitor comes
+RUN tyrecontact run default --json && tyrecontact run thesis-instability --json
+
+EXPOSE 5006
+# an address other than localhost has to be named: -e BOKEH_ALLOW_WS_ORIGIN=contact.example.org
+ENV BOKEH_ALLOW_WS_ORIGIN=localhost:5006
+HEALTHCHECK --interval=30s --timeout=5s --start-period=20s \
+  CMD ["python", "-c", "import urllib.request as u; u.urlopen('http://localhost:5006/liveness', timeout=4)"]
+CMD ["panel", "serve", "app", "--address", "0.0.0.0", "--port", "5006", "--liveness"]

@@ -1,0 +1,138 @@
+"""A served page and a real browser. Without Chromium these tests are skipped, and say so."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
+
+_ROOT = Path(__file__).parents[2]
+_NAMES = ("chromium", "chromium-browser", "google-chrome")
+_ARGUMENTS = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    """The system's Chromium."""
+    path = next(filter(None, map(shutil.which, _NAMES)), None)
+    if path is None:
+        if os.environ.get("TYRECONTACT_REQUIRE_BROWSER"):
+            pytest.fail("TYRECONTACT_REQUIRE_BROWSER is set, but there is no Chromium on PATH")
+        pytest.skip("no Chromium on PATH: install Debian's package chromium to run this test")
+    with sync_playwright() as playwright:
+        started = playwright.chromium.launch(executable_path=path, args=_ARGUMENTS)
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="session")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Address of the page, served as the README says."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    log = tmp_path_factory.mktemp("server") / "log"
+    command = [sys.executable, "-m", "panel", "serve", "app", "--liveness", "--port", str(port)]
+    with log.open("w") as output:
+        server = subprocess.Popen(command, cwd=_ROOT, stdout=output, stderr=output)
+        url = f"http://localhost:{port}"
+        try:
+            _wait_until_alive(f"{url}/liveness", server, log)
+            yield f"{url}/app"
+        finally:
+            server.terminate()
+            server.wait(20)
+    text = log.read_text()
+    assert "Error running application" not in text, text
+
+
+def _wait_until_alive(url: str, server: subprocess.Popen[bytes], log: Path) -> None:
+    for _ in range(300):
+        assert server.poll() is None, log.read_text()
+        try:
+            with urllib.request.urlopen(url, timeout=1):
+                return
+        except OSError:
+            time.sleep(0.1)
+    pytest.fail(f"the server did not answer: {log.read_text()}")
+
+
+class Visit:
+    """A tab on the page, and all that it asked for and complained about."""
+
+    def __init__(self, context: BrowserContext, address: str) -> None:
+        self.tab: Page = context.new_page()
+        self.requests: list[str] = []
+        self.complaints: list[str] = []
+        self.tab.on("request", lambda request: self.requests.append(request.url))
+        self.tab.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.tab.on("console", self._listen)
+        self.tab.goto(address)
+        self.tab.get_by_role("button", name="Run", exact=True).wait_for(timeout=60_000)
+        self.tab.wait_for_function("() => window.Bokeh && Bokeh.documents.length > 0")
+        self.tab.get_by_text("Press Run").wait_for(timeout=60_000)
+
+    def _listen(self, message: object) -> None:
+        if message.type == "error":  # type: ignore[attr-defined]
+            self.complaints.append(message.text)  # type: ignore[attr-defined]
+
+    def press(self, name: str) -> None:
+        self.tab.get_by_role("button", name=name, exact=True).click()
+
+    def choose_preset(self, name: str) -> None:
+        self.tab.get_by_role("combobox", name="Preset").click()
+        self.tab.get_by_role("menuitem", name=name, exact=True).click()
+
+    def sentence(self) -> str:
+        return self.tab.get_by_role("status").inner_text()
+
+    def column(self, source: str, name: str) -> list:
+        """A column of a Bokeh source as the browser holds it."""
+        script = "([s, c]) => Array.from(Bokeh.documents[0].get_model_by_name(s).data[c])"
+        return self.tab.evaluate(script, [source, name])
+
+    def map_forces(self) -> list[float | None]:
+        """The image of the contact map, flat; None where nothing is pressed."""
+        script = """() => {
+            const image = Bokeh.documents[0].get_model_by_name('map').data.force[0]
+            return image === undefined ? [] : Array.from(image.flat ? image.flat() : image)
+        }"""
+        return self.tab.evaluate(script)
+
+    def wait_for_rows(self, count: int, seconds: float = 60) -> None:
+        script = "n => Bokeh.documents[0].get_model_by_name('force').data.force.length >= n"
+        self.tab.wait_for_function(script, arg=count, timeout=seconds * 1000)
+
+    def wait_for_sentence(self, start: str, seconds: float = 60) -> None:
+        self.tab.get_by_role("status").filter(has_text=start).wait_for(timeout=seconds * 1000)
+
+
+@pytest.fixture
+def visit(browser: Browser, address: str) -> Iterator[Visit]:
+    """A visit on a desktop screen; whatever it complains about fails the test."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    made = Visit(context, address)
+    yield made
+    context.close()
+    own = address.rpartition("/")[0]
+    foreign = [url for url in made.requests if not url.startswith((own, "data:", "blob:"))]
+    assert foreign == []
+    assert made.complaints == []

@@ -1,0 +1,64 @@
+"""Closing the tab ends the run; the server is in this process, so that its threads are seen."""
+
+from __future__ import annotations
+
+import socket
+import threading
+import time
+from collections.abc import Callable, Iterator
+
+import panel as pn
+import pytest
+from playwright.sync_api import Browser
+
+from app.page import build
+
+
+@pytest.fixture
+def address() -> Iterator[str]:
+    """The page on a free port, forgetting a closed tab within a second or two."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    thread = pn.serve(
+        {"app": build}, port=port, threaded=True, show=False, verbose=False,
+        unused_session_lifetime_milliseconds=500, check_unused_sessions_milliseconds=500,
+    )  # fmt: skip
+    try:
+        assert _wait_for(lambda: _answers(port), 30)
+        yield f"http://localhost:{port}/app"
+    finally:
+        thread.stop()
+        thread.join(10)
+        pn.state.reset()
+
+
+def _answers(port: int) -> bool:
+    with socket.socket() as caller:
+        return caller.connect_ex(("127.0.0.1", port)) == 0
+
+
+def _running() -> int:
+    return sum(thread.name == "tyrecontact-run" for thread in threading.enumerate())
+
+
+def _wait_for(condition: Callable[[], bool], seconds: float) -> bool:
+    limit = time.monotonic() + seconds
+    while not condition() and time.monotonic() < limit:
+        time.sleep(0.05)
+    return condition()
+
+
+def test_closing_the_tab_ends_the_run(browser: Browser, address: str) -> None:
+    context = browser.new_context()
+    tab = context.new_page()
+    tab.goto(address)
+    tab.get_by_role("combobox", name="Pace").click()
+    tab.get_by_role("menuitem", name="in about 20 s").click()
+    tab.get_by_role("button", name="Run", exact=True).click()
+    tab.get_by_role("status").filter(has_text="Step ").wait_for(timeout=60_000)
+    assert _running() == 1
+    tab.close()
+    context.close()
+    # the run has nearly 20 s to go: only the leaving can end it
+    assert _wait_for(lambda: _running() == 0, 8)

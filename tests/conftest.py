@@ -1,0 +1,48 @@
+"""Shared by all tests: a cache of kernels of their own, and runs that are computed once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cache
+
+import pytest
+
+from tyrecontact import Results, Scenario, Simulation, presets
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """No test reads or writes the user's cache."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TYRECONTACT_CACHE", str(tmp_path_factory.mktemp("kernels")))
+        yield
+
+
+@pytest.fixture
+def quick() -> Scenario:
+    """6 x 6 elements, 53 steps to 0.1 mm: a run of a tenth of a second."""
+    return Scenario(
+        road={"elements": 6, "size": 6e-3, "pixel": 5e-5},
+        loading={"max_indentation": 100e-6, "rate": 0.1},
+        numerics={"lags": 32},
+    )
+
+
+@pytest.fixture
+def quick_cycle(quick: Scenario) -> Scenario:
+    """The quick scenario pressed, held, and pulled off: 210 steps."""
+    quick.loading.param.update(
+        profile="load-hold-unload", hold_time=2e-4, unloading_rate=0.1, retraction=2e-4
+    )
+    return quick
+
+
+@pytest.fixture(scope="session")
+def preset_run(_own_cache: None) -> Callable[[str], Results]:
+    """Results of a preset by its name, each run once in the session."""
+
+    @cache
+    def run(name: str) -> Results:
+        return Simulation(presets.get(name)).run()
+
+    return run

@@ -1,0 +1,108 @@
+"""Roads that are made: repeatable, of the wanted roughness, spectrum and skewness."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from tyrecontact.errors import InputError
+from tyrecontact.road.heights import Patch
+from tyrecontact.road.textures import self_affine, worn
+
+SIZE, PITCH, RMS = 10e-3, 25e-6, 30e-6
+WORN = {
+    "valley_rms": 40e-6, "plateau_rms": 8e-6, "offset": 20e-6,
+    "stone_size": 2e-3, "plateau_wavelength": 0.5e-3,
+}  # fmt: skip
+
+
+def spectrum_slope(roads: list[Patch], longest: float, shortest: float) -> float:
+    """Slope of log C over log q between two wavelengths, C averaged over rings and roads."""
+    n, pitch = roads[0].heights.shape[0], roads[0].pitch
+    window = np.hanning(n)[:, None] * np.hanning(n)  # a crop is not periodic
+    power = sum(np.abs(np.fft.fft2(road.heights * window)) ** 2 for road in roads)
+    frequency = np.fft.fftfreq(n, pitch)
+    q = np.hypot(frequency[:, None], frequency)
+    edges = np.geomspace(1 / longest, 1 / shortest, 13)
+    middles = np.sqrt(edges[1:] * edges[:-1])
+    rings = [power[(q >= low) & (q < high)].mean() for low, high in pairwise(edges)]
+    return float(np.polyfit(np.log(middles), np.log(rings), 1)[0])
+
+
+@pytest.fixture(scope="module")
+def roads() -> list[Patch]:
+    return [
+        self_affine(SIZE, PITCH, RMS, roll_off_wavelength=0.5e-3, hurst=0.6, seed=seed)
+        for seed in range(6)
+    ]
+
+
+def test_the_same_seed_makes_the_same_road() -> None:
+    first, again = (worn(SIZE, PITCH, **WORN, seed=5) for _ in range(2))
+    np.testing.assert_array_equal(first.heights, again.heights)
+
+
+def test_another_seed_makes_another_road(roads: list[Patch]) -> None:
+    correlation = np.corrcoef([road.heights.ravel() for road in roads])
+    # some 20 x 20 independent stones: correlations by chance are of the order of 1/20
+    assert np.abs(correlation - np.eye(len(roads))).max() < 0.25
+
+
+def test_size_and_pitch_are_those_asked_for(roads: list[Patch]) -> None:
+    assert roads[0].heights.shape == (400, 400)
+    assert roads[0].pitch == PITCH
+
+
+def test_rms_is_that_of_the_road_before_it_is_cropped(roads: list[Patch]) -> None:
+    crops = np.sqrt(np.mean([(road.heights**2).mean() for road in roads]))
+    # the crops hold 6 x 400 independent stones: their mean square scatters by some 3 %
+    assert crops == pytest.approx(RMS, rel=0.06)
+    assert roads[0].rms != pytest.approx(RMS, rel=1e-6)  # a crop is not scaled again
+
+
+def test_the_spectrum_falls_as_self_affine_roads_do(roads: list[Patch]) -> None:
+    slope = spectrum_slope(roads, 0.4e-3, 0.07e-3)
+    assert slope == pytest.approx(-2 * (1 + 0.6), abs=0.1)  # scatter of 12 rings: 0.03
+
+
+def test_the_spectrum_is_flat_below_the_roll_off(roads: list[Patch]) -> None:
+    slope = spectrum_slope(roads, 4e-3, 0.6e-3)
+    assert slope == pytest.approx(0, abs=0.3)  # the inner rings hold few waves
+
+
+def test_nothing_is_shorter_than_the_cut_off() -> None:
+    road = self_affine(
+        SIZE, PITCH, RMS, roll_off_wavelength=2e-3, cut_off_wavelength=0.2e-3, seed=1
+    )
+    window = np.hanning(400)[:, None] * np.hanning(400)
+    power = np.abs(np.fft.fft2(road.heights * window)) ** 2
+    q = np.hypot(np.fft.fftfreq(400, PITCH)[:, None], np.fft.fftfreq(400, PITCH))
+    # what the window leaks beyond the cut-off is orders below the road's own last waves
+    assert power[q > 1.3 / 0.2e-3].mean() < 1e-4 * power[(q > 0.8 / 0.2e-3) & (q < 5e3)].mean()
+
+
+def test_a_worn_road_is_the_lower_of_stones_and_plateau() -> None:
+    rng = np.random.default_rng(7)
+    stones = self_affine(SIZE, PITCH, 40e-6, roll_off_wavelength=2e-3, seed=rng)
+    plateau = self_affine(SIZE, PITCH, 8e-6, roll_off_wavelength=0.5e-3, seed=rng)
+    expected = np.minimum(stones.heights + 20e-6, plateau.heights)
+    np.testing.assert_array_equal(worn(SIZE, PITCH, **WORN, seed=7).heights, expected)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_worn_road_has_more_pits_than_peaks(seed: int) -> None:
+    assert worn(SIZE, PITCH, **WORN, seed=seed).skewness < -0.5
+
+
+@pytest.mark.parametrize(
+    ("setting", "value"),
+    [("size", 0.0), ("pitch", -1e-5), ("rms", np.nan), ("hurst", 0.0), ("hurst", 1.5),
+     ("roll_off_wavelength", 1e-5), ("cut_off_wavelength", 0.0)],
+)  # fmt: skip
+def test_impossible_settings_are_refused(setting: str, value: float) -> None:
+    settings = {"size": SIZE, "pitch": PITCH, "rms": RMS, "roll_off_wavelength": 1e-3}
+    sentence = {"cut_off_wavelength": "cut-off"}.get(setting, setting)
+    with pytest.raises(InputError, match=sentence):
+        self_affine(**(settings | {setting: value}))

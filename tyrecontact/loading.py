@@ -29,22 +29,25 @@ class Path:
     def sampled(self, time_step: float) -> tuple[np.ndarray, np.ndarray]:
         """Times [s] and indentations [m] of all steps, from rest to the end of the path.
 
+        Each leg takes a whole number of steps, so that every knot is met by a step and no step
+        is cut short, which would be a jump of the rate; rates change by less than half a step's
+        share of their leg.
+
         Raises
         ------
         InputError : the path takes more than `MAX_STEPS` steps, or fewer than two.
         """
-        duration = float(self.time[-1])
-        intervals = int(np.ceil(duration / time_step * (1 - 1e-12)))
-        if not 2 <= intervals < MAX_STEPS:
+        legs = np.maximum(np.rint(np.diff(self.time) / time_step), 1)
+        if not 2 <= legs.sum() < MAX_STEPS:
             raise InputError(
-                f"loading must take 2 to {MAX_STEPS} steps, got {intervals} "
-                f"({duration:.4g} s in steps of {time_step:.4g} s)"
+                f"loading must take 2 to {MAX_STEPS} steps, got {legs.sum():.0f} "
+                f"({self.time[-1]:.4g} s in steps of {time_step:.4g} s)"
             )
-        time = np.arange(intervals + 1) * time_step
+        knots = np.concatenate([[0.0], np.cumsum(legs)])
+        step = np.arange(knots[-1] + 1)
         if self.power == 1:
-            return time, np.interp(time, self.time, self.indentation)
-        share = np.minimum(time / duration, 1.0)
-        return time, self.indentation[-1] * share**self.power
+            return step * time_step, np.interp(step, knots, self.indentation)
+        return step * time_step, self.indentation[-1] * (step / knots[-1]) ** self.power
 
 
 def linear(max_indentation: float, rate: float) -> Path:

@@ -84,10 +84,12 @@ def _figures(run: Run | None) -> dict[str, tuple[str, str]]:
 
 def three_digits(value: float) -> str:
     """A number to three significant digits, without an exponent where it can be helped."""
-    if value == 0 or abs(value) >= 1e5 or abs(value) < 1e-3:
-        return "0" if value == 0 else f"{value:.2e}"
-    digits = f"{value:.3g}"
-    return f"{float(digits):.0f}" if "e" in digits else digits
+    if value == 0:
+        return "0"
+    if not 1e-3 <= abs(value) < 1e5:
+        return f"{value:.2e}"
+    digits = f"{value:#.3g}"
+    return f"{float(digits):.0f}" if "e" in digits else digits.rstrip(".")
 
 
 def describe(run: Run) -> tuple[str, bool]:

@@ -11,7 +11,7 @@ import pytest
 if TYPE_CHECKING:
     from tests.browser.conftest import Visit
 
-_STEPS_OF_DEFAULT = 343
+_STEPS_OF_DEFAULT = 342
 
 
 def test_force_iterations_and_map_move_before_the_run_ends_and_stop_keeps_them(

@@ -116,7 +116,7 @@ def test_a_failed_step_is_described_with_place_size_and_advice(finished: Run) ->
 
 @pytest.mark.parametrize(
     ("value", "shown"),
-    [(0.0, "0"), (203.79, "204"), (2234.9, "2230"), (0.6042, "0.604"), (1e-9, "1.00e-09")],
+    [(0.0, "0"), (203.79, "204"), (2234.9, "2230"), (0.6042, "0.604"), (35.0, "35.0"), (2.9, "2.90"), (1e-9, "1.00e-09")],
 )
 def test_numbers_have_three_significant_digits(value: float, shown: str) -> None:
     assert three_digits(value) == shown

@@ -8,10 +8,11 @@ from typing import Any
 import panel_material_ui as pmui
 import param
 
-from app.road_file import RoadFile
 from tyrecontact import Scenario, presets
 from tyrecontact.errors import InputError
 from tyrecontact.settings import Choice, Count
+
+from .road_file import RoadFile
 
 #: the four that the product is about: path -> label
 MAIN = {

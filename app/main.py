@@ -2,7 +2,7 @@
 
 import sys
 
-from app.page import build
+from .page import build
 
 # the solver shares the interpreter with the page: let clicks be answered between its steps
 sys.setswitchinterval(0.001)

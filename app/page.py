@@ -8,14 +8,15 @@ import panel as pn
 import panel_material_ui as pmui
 from panel.util import edit_readonly
 
-from app.controls import Controls
-from app.runner import Run
-from app.views.contact_map import ContactMapView
-from app.views.force import ForceView
-from app.views.headline import HeadlineView
-from app.views.iterations import IterationsView
-from app.views.style import horizontal
 from tyrecontact import presets
+
+from .controls import Controls
+from .runner import Run
+from .views.contact_map import ContactMapView
+from .views.force import ForceView
+from .views.headline import HeadlineView
+from .views.iterations import IterationsView
+from .views.style import horizontal
 
 #: milliseconds between two looks at what the solver has left
 FRAME = 50

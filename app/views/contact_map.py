@@ -7,9 +7,10 @@ from bokeh.models import ColorBar, ColumnDataSource, LinearColorMapper
 from bokeh.palettes import Cividis256
 from bokeh.plotting import figure
 
-from app.views.style import ORANGE, VERMILION, hover
 from tyrecontact.contact.adhesion import ElementState
 from tyrecontact.results import Record
+
+from .style import ORANGE, VERMILION, hover
 
 _APART = "#9AA0A81F"
 

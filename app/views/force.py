@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from bokeh.models import ColumnDataSource
 
-from app.runner import Baseline
-from app.views.style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
 from tyrecontact.results import Record
+
+from ..runner import Baseline
+from .style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
 
 _COLUMNS = ("time_ms", "indentation_um", "force")
 #: vertical range before the first run [N]

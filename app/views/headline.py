@@ -6,7 +6,7 @@ from html import escape
 
 import panel as pn
 
-from app.runner import Phase, Run
+from ..runner import Phase, Run
 
 _STYLE = """
 :host { --muted: color-mix(in srgb, currentColor 62%, transparent); }

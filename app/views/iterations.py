@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from bokeh.models import ColumnDataSource, Span
 
-from app.views.style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
 from tyrecontact.results import Record
+
+from .style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
 
 _COLUMNS = ("time_ms", "indentation_um", "iterations")
 

@@ -1,4 +1,4 @@
-"""Make the README's pictures: `python tests/browser/screenshots.py` serves the page and shoots it."""
+"""Make the README's pictures: `python tests/browser/screenshots.py` serves the page, shoots it."""
 
 from __future__ import annotations
 

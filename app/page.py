@@ -129,6 +129,10 @@ class Session:
         self.progress.value = round(100 * high / len(run.simulation))
         self._drawn = high
 
+    def _darken(self, dark: bool) -> None:
+        for view in (self.force, self.iterations):
+            view.darken(dark)
+
     def _load_preset(self, name: str) -> None:
         scenario = presets.get(name)
         self.controls.load(scenario)
@@ -195,6 +199,7 @@ class Session:
             theme_config=_THEME,
             busy_indicator=None,
         )
+        page.param.watch(lambda event: self._darken(event.new), "dark_theme")
         with edit_readonly(page):
             page.busy = False  # it would follow the whole server's, at a redraw of the page each
         return page

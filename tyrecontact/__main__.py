@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 import time
 from collections.abc import Sequence
@@ -26,6 +27,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except TyreContactError as error:
         print(f"tyrecontact: {error}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:  # before there was anything to keep
+        return 130
     return 0
 
 
@@ -84,7 +87,7 @@ def _run(options: argparse.Namespace) -> None:
     results = _run_with_progress(simulation)
     wall_seconds = time.perf_counter() - began
     if options.output is not None:
-        results.to_xarray().to_netcdf(options.output)
+        _write(results, options.output)
     summary = {**results.summary(), "wall_s": wall_seconds, "kernel_s": kernel_seconds}
     print(json.dumps(summary) if options.json else _in_words(summary))
 
@@ -104,8 +107,22 @@ def _scenario(name: str) -> Scenario:
 
 def _require_writable(path: Path) -> None:
     """Refuse an output that cannot be written before the run, not after it."""
-    if path.is_dir() or not path.parent.is_dir():
-        raise InputError(f"--output must name a file in a folder that exists, got {path}")
+    target = path.resolve()
+    if target.is_dir() or not os.access(target.parent, os.W_OK):
+        raise InputError(f"--output must name a file in a folder that can be written, got {path}")
+
+
+def _write(results: Results, path: Path) -> None:
+    """Write beside the target and rename, so that no half-written file takes its name."""
+    target = path.resolve()
+    part = target.with_name(f"{target.name}.part")
+    try:
+        results.to_xarray().to_netcdf(part)
+        part.replace(target)
+    except OSError as error:
+        raise TyreContactError(f"--output could not be written, {path}: {error}") from error
+    finally:
+        part.unlink(missing_ok=True)
 
 
 def _run_with_progress(simulation: Simulation) -> Results:

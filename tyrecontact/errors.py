@@ -22,5 +22,6 @@ def unknown_name(kind: str, name: object, known: Iterable[str]) -> InputError:
     """
     names = sorted(known)
     nearest = get_close_matches(str(name), names, n=1, cutoff=0.5)
+    listed = ", ".join(known_name or "'' (none)" for known_name in names)
     hint = f" (did you mean {nearest[0]!r}?)" if nearest else ""
-    return InputError(f"{kind} must be one of {', '.join(names)}, got {name!r}{hint}")
+    return InputError(f"{kind} must be one of {listed}, got {name!r}{hint}")

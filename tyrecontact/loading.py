@@ -35,12 +35,13 @@ class Path:
 
         Raises
         ------
-        InputError : the path takes more than `MAX_STEPS` steps, or fewer than two.
+        InputError : the path takes more than `MAX_STEPS` steps, or fewer than three.
         """
         legs = np.maximum(np.rint(np.diff(self.time) / time_step), 1)
-        if not 2 <= legs.sum() < MAX_STEPS:
+        steps = legs.sum() + 1
+        if not 3 <= steps <= MAX_STEPS:
             raise InputError(
-                f"loading must take 2 to {MAX_STEPS} steps, got {legs.sum():.0f} "
+                f"loading must take 3 to {MAX_STEPS} steps, got {steps:.0f} "
                 f"({self.time[-1]:.4g} s in steps of {time_step:.4g} s)"
             )
         knots = np.concatenate([[0.0], np.cumsum(legs)])

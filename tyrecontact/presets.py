@@ -103,6 +103,6 @@ def caption(name: str) -> str:
 
 
 def _function(name: str) -> Callable[[], Scenario]:
-    if name not in PRESETS:
+    if not isinstance(name, str) or name not in PRESETS:
         raise unknown_name("preset", name, PRESETS)
     return PRESETS[name]

@@ -10,7 +10,11 @@ import numpy as np
 import xarray as xr
 
 from tyrecontact.contact.adhesion import ElementState
+from tyrecontact.errors import InputError
 from tyrecontact.scenario import Scenario
+
+#: a run that keeps more than this is refused before it starts
+MAX_BYTES = 4_000_000_000
 
 #: name -> (unit, meaning, type) of what is kept of each step
 SCALARS = {
@@ -68,9 +72,24 @@ class Record:
     count : number of steps recorded.
     columns : name -> array, first axis the steps; rows from `count` on are not written yet.
     stop_reason : why the run ended early, or empty.
+
+    Raises
+    ------
+    InputError : more than `MAX_BYTES` would have to be kept.
     """
 
     def __init__(self, steps: int, shape: tuple[int, int]) -> None:
+        size = (
+            steps
+            * shape[0]
+            * shape[1]
+            * sum(np.dtype(kind).itemsize for *_, kind in FIELDS.values())
+        )
+        if size > MAX_BYTES:
+            raise InputError(
+                f"a run must keep at most {MAX_BYTES / 1e9:.0f} GB of fields, got "
+                f"{size / 1e9:.1f} GB ({steps} steps of {shape[0]} x {shape[1]} elements)"
+            )
         self.count = 0
         self.stop_reason = ""
         self.columns = {"time": np.zeros(steps)}
@@ -133,7 +152,7 @@ class Results:
         contacts, force = self.columns["contacts"], self.columns["contact_force"]
         if not (len(self) and contacts.any() and contacts[-1] == 0) or self.failed_at is not None:
             return None
-        return float(-min(force.min(), 0.0))
+        return abs(min(float(force.min()), 0.0))
 
     @property
     def final_stiffness(self) -> float | None:

@@ -14,13 +14,13 @@ from typing import Any
 import param
 
 from tyrecontact.errors import InputError, unknown_name
-from tyrecontact.settings import Choice, Count, Quantity, Text, parsed
+from tyrecontact.settings import Choice, Count, Group, Part, Quantity, Text, parsed
 
 _UM, _MM, _MS, _MPA = ("µm", 1e6), ("mm", 1e3), ("ms", 1e3), ("MPa", 1e-6)
 _RATE = ("mm/s", 1e3)
 
 
-class Road(param.Parameterized):
+class Road(Part):
     """The patch of road: read from a file, or made worn from a seed."""
 
     file = Text("", "Height map to read (.npy, .npz or a text matrix); empty: a road is made")
@@ -46,7 +46,7 @@ class Road(param.Parameterized):
     hurst = Quantity(0.8, (0.05, 1.0), "", "Hurst exponent of both surfaces")
 
 
-class Springs(param.Parameterized):
+class Springs(Part):
     """Roughness springs (thesis, chapter 3.2)."""
 
     youngs_modulus = Quantity(10e6, (1e4, 1e10), "Pa", "Modulus of the rubber at small scale", _MPA)
@@ -56,7 +56,7 @@ class Springs(param.Parameterized):
     )
 
 
-class Tread(param.Parameterized):
+class Tread(Part):
     """Two layers on a rigid base (thesis, Appendix B)."""
 
     static_modulus = Quantity(25e6, (1e4, 1e12), "Pa", "Young's modulus at rest", _MPA)
@@ -74,7 +74,7 @@ class Tread(param.Parameterized):
     base_thickness = Quantity(3e-3, (1e-5, 0.2), "m", "Thickness of the base", _MM)
 
 
-class Loading(param.Parameterized):
+class Loading(Part):
     """How the road is moved into the tread (thesis, chapters 4.3 and 5.1)."""
 
     profile = Choice(
@@ -90,7 +90,7 @@ class Loading(param.Parameterized):
     )
 
 
-class Adhesion(param.Parameterized):
+class Adhesion(Part):
     """What holds road and tread together (thesis, chapter 5)."""
 
     release_force = Quantity(
@@ -98,7 +98,7 @@ class Adhesion(param.Parameterized):
     )
 
 
-class Numerics(param.Parameterized):
+class Numerics(Part):
     """How it is computed."""
 
     kernel = Choice(
@@ -119,7 +119,7 @@ class Numerics(param.Parameterized):
     )
 
 
-class Scenario(param.Parameterized):
+class Scenario(Part):
     """All settings of a run.
 
     Parts are attributes (`scenario.loading.rate`), or keyword arguments of dictionaries:
@@ -130,16 +130,16 @@ class Scenario(param.Parameterized):
     InputError : an unknown part or setting, or a value that is out of bounds or of a wrong kind.
     """
 
-    road = param.ClassSelector(class_=Road, default=Road(), instantiate=True)
-    springs = param.ClassSelector(class_=Springs, default=Springs(), instantiate=True)
-    tread = param.ClassSelector(class_=Tread, default=Tread(), instantiate=True)
-    loading = param.ClassSelector(class_=Loading, default=Loading(), instantiate=True)
-    adhesion = param.ClassSelector(class_=Adhesion, default=Adhesion(), instantiate=True)
-    numerics = param.ClassSelector(class_=Numerics, default=Numerics(), instantiate=True)
+    road = Group(Road)
+    springs = Group(Springs)
+    tread = Group(Tread)
+    loading = Group(Loading)
+    adhesion = Group(Adhesion)
+    numerics = Group(Numerics)
 
     PARTS = ("road", "springs", "tread", "loading", "adhesion", "numerics")
 
-    def __init__(self, **parts: Mapping[str, Any]) -> None:
+    def __init__(self, /, **parts: Mapping[str, Any]) -> None:
         super().__init__()
         for part, values in parts.items():
             if part not in self.PARTS:
@@ -156,7 +156,7 @@ class Scenario(param.Parameterized):
             value = parsed(parameter, value)
         setattr(part, path.partition(".")[2], value)
 
-    def find(self, path: str) -> tuple[param.Parameterized, param.Parameter]:
+    def find(self, path: str) -> tuple[Part, param.Parameter]:
         """The part and the declaration of a setting, from its path."""
         part_name, _, name = path.partition(".")
         if part_name not in self.PARTS:

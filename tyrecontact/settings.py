@@ -6,10 +6,10 @@ unit they are shown in on a form, are their `metadata`.
 
 from __future__ import annotations
 
-import math
 from numbers import Real
 from typing import Any, cast
 
+import numpy as np
 import param
 
 from tyrecontact.errors import InputError, unknown_name
@@ -40,12 +40,13 @@ class Quantity(param.Number):
 
     def _validate(self, val: Any) -> None:
         low, high = cast(tuple[float, float], self.bounds)
-        unit = self.metadata["unit"]
+        unit = _spaced(self.metadata["unit"])
         number = isinstance(val, Real) and not isinstance(val, bool)
         if not number or not low <= val <= high:
-            between = f"{low:g} and {high:g}{_spaced(unit)}"
-            got = f"{val!r}{_spaced(unit) if number and math.isfinite(val) else ''}"
-            raise InputError(f"{_path(self)} must be a number between {between}, got {got}")
+            raise InputError(
+                f"{_path(self)} must be a number between {low:g} and {high:g}{unit}, "
+                f"got {val!r}{unit if number else ''}"
+            )
 
 
 class Count(param.Integer):
@@ -71,7 +72,7 @@ class Choice(param.Selector):
         super().__init__(default=default, objects=names, doc=doc, metadata=metadata)
 
     def _validate(self, val: Any) -> None:
-        if val not in self.objects:
+        if not isinstance(val, str) or val not in self.objects:
             raise unknown_name(_path(self), val, self.objects)
 
 
@@ -85,6 +86,30 @@ class Text(param.String):
     def _validate(self, val: Any) -> None:
         if not isinstance(val, str):
             raise InputError(f"{_path(self)} must be a text, got {val!r}")
+
+
+class Part(param.Parameterized):
+    """A group of settings; a misspelt one is refused, not taken as a new attribute."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if not name.startswith("_") and name not in self.param:
+            known = [setting for setting in self.param if setting != "name"]
+            raise unknown_name(f"setting of {type(self).__name__.lower()}", name, known)
+        # numpy's scalars would not survive a way through JSON
+        super().__setattr__(name, value.item() if isinstance(value, np.generic) else value)
+
+
+class Group(param.ClassSelector):
+    """A part of a scenario: each scenario has its own."""
+
+    def __init__(self, kind: type[Part]) -> None:
+        super().__init__(class_=kind, default=kind(), instantiate=True)
+
+    def _validate(self, val: Any) -> None:
+        if not isinstance(val, self.class_):
+            raise InputError(
+                f"{self.name} must be a {cast(type, self.class_).__name__}, got {val!r}"
+            )
 
 
 def parsed(parameter: param.Parameter, text: str) -> Any:

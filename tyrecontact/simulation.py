@@ -138,8 +138,10 @@ class Simulation:
             converged=solution.converged,
             contacts=int(touching.sum()),
             releases=equilibrium.releases,
-            element_force=solution.force.reshape(shape),
-            compression=solution.compression.reshape(shape),
+            element_force=solution.force.reshape(shape).copy(),
+            compression=solution.compression.reshape(
+                shape
+            ).copy(),  # the solver goes on with its own
             displacement=equilibrium.displacement.reshape(shape),
             state=state.reshape(shape),
         )

@@ -8,7 +8,7 @@ from bokeh.models import ColumnDataSource
 from tyrecontact.results import Record
 
 from ..runner import Baseline
-from .style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
+from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
 
 _COLUMNS = ("time_ms", "indentation_um", "force")
 #: vertical range before the first run [N]
@@ -25,7 +25,7 @@ class ForceView:
         self.root = plot("Contact force", "Force [N]", height=370, top=_TOP)
         self._glyphs = []
         self._line(self.baseline, GREY, 5, "quasi-static", alpha=0.55)
-        line = self._line(self.source, BLUE, 2, "this run")
+        line = self._run = self._line(self.source, RUN_COLOR[False], 2, "this run")
         marks = self.root.scatter(
             "indentation_um", "force", source=self.failed, marker="x", size=7,
             line_color=VERMILION, line_width=2, legend_label="not converged",
@@ -51,6 +51,10 @@ class ForceView:
     def show_against(self, axis: Horizontal) -> None:
         """Change the horizontal axis."""
         put_on(self.root, self._glyphs, axis)
+
+    def darken(self, dark: bool) -> None:
+        """Follow the page's theme."""
+        self._run.glyph.line_color = RUN_COLOR[dark]
 
     def reset(self) -> None:
         for source in (self.source, self.failed, self.baseline):

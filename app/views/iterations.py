@@ -6,7 +6,7 @@ from bokeh.models import ColumnDataSource, Span
 
 from tyrecontact.results import Record
 
-from .style import BLUE, GREY, VERMILION, Horizontal, hover, plot, put_on
+from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
 
 _COLUMNS = ("time_ms", "indentation_um", "iterations")
 
@@ -21,7 +21,8 @@ class IterationsView:
         self.limit = Span(dimension="width", location=10, line_color=GREY, line_dash="dashed")
         self.root.add_layout(self.limit)
         line = self.root.step(
-            "indentation_um", "iterations", source=self.source, mode="center", line_color=BLUE,
+            "indentation_um", "iterations", source=self.source, mode="center",
+            line_color=RUN_COLOR[False],
             line_width=1.5,
         )  # fmt: skip
         marks = self.root.scatter(
@@ -35,6 +36,10 @@ class IterationsView:
     def show_against(self, axis: Horizontal) -> None:
         """Change the horizontal axis."""
         put_on(self.root, self._glyphs, axis)
+
+    def darken(self, dark: bool) -> None:
+        """Follow the page's theme."""
+        self._glyphs[0].glyph.line_color = RUN_COLOR[dark]
 
     def reset(self, max_iterations: int) -> None:
         for source in (self.source, self.failed):

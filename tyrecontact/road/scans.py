@@ -51,11 +51,12 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
         raise unknown_name("kind of road file", path.suffix.lower(), reader)
     try:
         heights = reader[path.suffix.lower()](path)
+    except InputError:
+        raise
     except OSError as error:
-        raise InputError(f"road file must be readable, got {path.name}: {error}") from None
-    except (ValueError, EOFError, KeyError, MemoryError, zipfile.BadZipFile) as error:
-        if isinstance(error, InputError):
-            raise
+        reason = error.strerror or str(error)
+        raise InputError(f"road file must be readable, got {path.name}: {reason}") from None
+    except Exception as error:  # whatever numpy and zipfile make of damaged bytes
         first_line = str(error).partition("\n")[0]
         raise InputError(
             f"road file must hold a matrix of numbers, got {path.name}: {first_line}"
@@ -84,7 +85,9 @@ def _read_npz(path: Path) -> np.ndarray:
             raise InputError(
                 f"{path.name} must hold an array 'heights' or a single array, got {names}"
             )
-        return arrays["heights" if "heights" in names else names[0]]
+        heights = arrays["heights" if "heights" in names else names[0]]
+    _require_size(heights.size, path)
+    return heights
 
 
 def _read_text(path: Path) -> np.ndarray:
@@ -93,12 +96,13 @@ def _read_text(path: Path) -> np.ndarray:
         raise InputError(
             f"{path.name} must have at most {MAX_TEXT_BYTES / 1e6:.0f} MB, got {size / 1e6:.0f} MB"
         )
-    with path.open(encoding="utf-8") as lines:
-        sample = next((line for line in lines if line.strip() and not line.startswith("#")), "")
+    with path.open(encoding="utf-8-sig") as lines:
+        data = (line.partition("#")[0].strip() for line in lines)
+        sample = next(filter(None, data), "")
     if not sample:
         raise InputError(f"road file must hold numbers, got {path.name}, which is empty")
     delimiter = next((mark for mark in ";," if mark in sample), None)
-    heights = np.loadtxt(path, delimiter=delimiter, ndmin=2, encoding="utf-8")
+    heights = np.loadtxt(path, delimiter=delimiter, ndmin=2, encoding="utf-8-sig")
     _require_size(heights.size, path)
     return heights
 

@@ -15,7 +15,7 @@ RUN pip install --no-deps --force-reinstall .
 RUN useradd --create-home --uid 10001 tyrecontact
 USER tyrecontact
 # the kernels of the presets are ready before the first visitor comes
-RUN tyrecontact run default --json && tyrecontact run thesis-instability --json
+RUN tyrecontact run default --json && tyrecontact run thesis-instability --json && tyrecontact run quasi-static --json
 
 EXPOSE 5006
 # an address other than localhost has to be named: -e BOKEH_ALLOW_WS_ORIGIN=contact.example.org

@@ -35,6 +35,11 @@ _OF_ROAD_FILE = {"road.file", "road.pitch", "road.height_unit"}
 class Controls:
     """Widgets and scenario, kept equal.
 
+    Parameters
+    ----------
+    refuse : called with one sentence about a value that was not taken.
+    accept : called when one was.
+
     Attributes
     ----------
     scenario : what the form says now.
@@ -43,8 +48,8 @@ class Controls:
     root : list of what stands in the sidebar, from the top.
     """
 
-    def __init__(self, refuse: Callable[[str], None]) -> None:
-        self._refuse = refuse
+    def __init__(self, refuse: Callable[[str], None], accept: Callable[[], None]) -> None:
+        self._refuse, self._accept = refuse, accept
         self._loading = False
         self.scenario = presets.get("default")
         self.widgets: dict[str, Any] = {}
@@ -87,6 +92,7 @@ class Controls:
             value = value / self._scales[path]
         try:
             self.scenario.set(path, value)
+            self._accept()
         except InputError as error:
             self._refuse(str(error))
             self._loading = True
@@ -94,8 +100,11 @@ class Controls:
             self._loading = False
 
     def _take_road(self, file: str, pitch: float, unit: str) -> None:
-        for path, value in (("road.file", file), ("road.pitch", pitch), ("road.height_unit", unit)):
+        # the file last: it is not set where its pitch is refused
+        self.scenario.set("road.file", "")
+        for path, value in (("road.pitch", pitch), ("road.height_unit", unit), ("road.file", file)):
             self.scenario.set(path, value)
+        self._accept()
 
     def _main(self) -> pmui.Column:
         widgets = [self.widgets[path] for path in MAIN]

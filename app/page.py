@@ -6,7 +6,6 @@ from typing import Any
 
 import panel as pn
 import panel_material_ui as pmui
-from panel.util import edit_readonly
 
 from tyrecontact import presets
 
@@ -52,7 +51,7 @@ class Session:
         self.headline = HeadlineView()
         self.force, self.iterations = ForceView(), IterationsView()
         self.contact_map = ContactMapView()
-        self.controls = Controls(self.headline.refuse)
+        self.controls = Controls(self.headline.refuse, self.headline.accept)
         self._make_header()
         self.root = self._layout()
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
@@ -61,13 +60,13 @@ class Session:
 
     def start(self) -> None:
         """Run the scenario of the form; it supersedes a run that is under way."""
-        if self.run is not None:
-            self.run.stop()
-        self.run = Run(self.controls.scenario, PACES[self.pace.value])
+        self.run = Run(self.controls.scenario, PACES[self.pace.value], after=self.run)
         self._drawn, self._prepared = 0, False
+        self._clear_views()
         self.progress.value = 0
         self.stop_button.disabled = False
         self.run.start()
+        self.headline.accept()
         self.headline.update(self.run)
         self._start_clock()
 
@@ -79,10 +78,20 @@ class Session:
     def close(self) -> None:
         """The visitor has left."""
         self.stop()
+        self.run = None
         self.controls.road_file.close()
 
     def frame(self) -> None:
         """Show what the solver has left since the last frame."""
+        try:
+            self._show()
+        except Exception:
+            self._stop_clock()
+            self.stop()
+            self.headline.refuse("this run could not be drawn to its end")
+            raise
+
+    def _show(self) -> None:
         run = self.run
         if run is None:
             return
@@ -109,13 +118,17 @@ class Session:
     def _prepare_views(self, run: Run) -> None:
         assert run.simulation is not None
         assert run.baseline is not None
-        scenario = run.scenario
-        self.force.reset()
+        road = run.scenario.road
         self.force.compare_with(run.baseline)
-        self.iterations.reset(scenario.numerics.max_iterations)
-        self.contact_map.reset(scenario.road.size, run.baseline.peak_element_force)
-        self._choose_axis()
+        self.contact_map.reset(road.size, road.elements, run.baseline.peak_element_force)
         self._prepared = True
+        self._choose_axis()
+
+    def _clear_views(self) -> None:
+        assert self.run is not None
+        self.force.reset()
+        self.iterations.reset(self.run.scenario.numerics.max_iterations)
+        self.contact_map.clear()
 
     def _draw(self, run: Run) -> None:
         assert run.simulation is not None
@@ -143,9 +156,9 @@ class Session:
 
     def _choose_axis(self) -> None:
         """Put on the horizontal axis what is chosen, as far as the run on show goes."""
-        if self.run is None or self.run.simulation is None:
+        simulation = self.run.simulation if self.run is not None and self._prepared else None
+        if simulation is None:
             return
-        simulation = self.run.simulation
         axis = horizontal(self.axis.value, simulation.time, simulation.indentation)
         self.force.show_against(axis)
         self.iterations.show_against(axis)
@@ -190,6 +203,7 @@ class Session:
             pmui.Grid(touching, size={"xs": 12, "md": 5}),
             container=True, spacing=1, sizing_mode="stretch_width",
         )  # fmt: skip
+        before = _busy_watchers()
         page = pmui.Page(
             title="tyrecontact",
             header=[pmui.Row(self.run_button, self.stop_button)],
@@ -200,9 +214,15 @@ class Session:
             busy_indicator=None,
         )
         page.param.watch(lambda event: self._darken(event.new), "dark_theme")
-        with edit_readonly(page):
-            page.busy = False  # it would follow the whole server's, at a redraw of the page each
+        # the page would follow the server's being busy, at a redraw each, and never be freed
+        for watcher in _busy_watchers():
+            if watcher not in before:
+                pn.state.param.unwatch(watcher)
         return page
+
+
+def _busy_watchers() -> list[Any]:
+    return list(pn.state.param.watchers.get("busy", {}).get("value", []))
 
 
 def _on_a_phone() -> bool:

@@ -9,9 +9,11 @@ from pathlib import Path
 import panel_material_ui as pmui
 import param
 
-from tyrecontact.errors import InputError
+from tyrecontact.errors import InputError, unknown_name
 from tyrecontact.road import scans
 
+#: an upload with more bytes than this is refused
+MAX_BYTES = 64_000_000
 _NONE = "No file: a worn road is made from the seed."
 
 
@@ -30,9 +32,10 @@ class RoadFile:
         self._take, self._refuse = take, refuse
         self._folder: tempfile.TemporaryDirectory[str] | None = None
         self._path: Path | None = None
+        self._name = ""
         self.file = pmui.FileInput(
             label="Road file",
-            accept=".npy,.npz,.txt,.csv,.dat,.asc,.tsv",
+            accept=",".join(scans.ENDINGS),
             sizing_mode="stretch_width",
         )
         self.pitch = pmui.FloatInput(
@@ -55,6 +58,7 @@ class RoadFile:
     def forget(self) -> None:
         """Drop the file; the road is made again."""
         self.close()
+        self.file.param.update(value=None, filename=None)
         self.status.object = _NONE
         self._take("", 0.0, "")
 
@@ -65,35 +69,47 @@ class RoadFile:
         self._folder = self._path = None
 
     def _uploaded(self, event: param.parameterized.Event) -> None:
-        if not event.new:
+        content, name = event.new, str(self.file.filename)
+        if not content:
             return
         self.forget()
+        ending = Path(name).suffix.lower()
+        if ending not in scans.ENDINGS:
+            self._reject(str(unknown_name("kind of road file", ending, scans.ENDINGS)))
+            return
+        if len(content) > MAX_BYTES:
+            size = f"{len(content) / 1e6:.0f} MB"
+            self._reject(f"{name} must have at most {MAX_BYTES / 1e6:.0f} MB, got {size}")
+            return
+        self._name = name
         self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
         # only the ending is taken from the visitor's name
-        self._path = Path(self._folder.name) / f"road{Path(str(self.file.filename)).suffix.lower()}"
-        self._path.write_bytes(event.new)
+        self._path = Path(self._folder.name) / f"road{ending}"
+        self._path.write_bytes(content)
         self._understand()
+
+    def _reject(self, sentence: str) -> None:
+        self._take("", 0.0, "")
+        self.status.object = f"Not used: {sentence}."
+        self._refuse(sentence)
 
     def _understand(self) -> None:
         if self._path is None:
             return
-        name = self.file.filename
         if not self.pitch.value or not self.unit.value:
             self._take("", 0.0, "")
-            self.status.object = f"{name}: give its pitch and the unit of its heights."
+            self.status.object = f"{self._name}: give its pitch and the unit of its heights."
             return
         pitch = self.pitch.value * 1e-6
         try:
             patch = scans.read(self._path, pitch=pitch, unit=self.unit.value)
+            self._take(str(self._path), pitch, self.unit.value)
         except InputError as error:
-            self._take("", 0.0, "")
-            sentence = str(error).replace(self._path.name, str(name))
-            self.status.object = f"Not used: {sentence}."
-            self._refuse(sentence)
+            self._reject(str(error).replace(self._path.name, self._name))
             return
         height, width = patch.extent
         self.status.object = (
-            f"{name}: {width * 1e3:.3g} x {height * 1e3:.3g} mm, rms {patch.rms * 1e6:.3g} µm, "
-            f"rms slope {patch.rms_slope:.2g}, skewness {patch.skewness:.2g}."
+            f"{self._name}: {width * 1e3:.3g} x {height * 1e3:.3g} mm, "
+            f"rms {patch.rms * 1e6:.3g} µm, rms slope {patch.rms_slope:.2g}, "
+            f"skewness {patch.skewness:.2g}."
         )
-        self._take(str(self._path), pitch, self.unit.value)

@@ -20,23 +20,24 @@ from tyrecontact.errors import TyreContactError
 from tyrecontact.results import Record
 
 #: steps of the quasi-static run that a dynamic one is compared with
-BASELINE_STEPS = 96
+BASELINE_STEPS = 160
 _KEPT_BASELINES = 16
 
 
 class Phase(Enum):
-    """Where a run stands; the last three are ends."""
+    """Where a run stands; the last four are ends."""
 
     WAITING = "waiting"
     PREPARING = "preparing"
     RUNNING = "running"
     FINISHED = "finished"
     STOPPED = "stopped"
-    REFUSED = "refused"
+    REFUSED = "refused"  #: before the first step
+    FAILED = "failed"  #: after it: what was computed stays
 
     @property
     def ended(self) -> bool:
-        return self in (Phase.FINISHED, Phase.STOPPED, Phase.REFUSED)
+        return self not in (Phase.WAITING, Phase.PREPARING, Phase.RUNNING)
 
 
 @dataclass(frozen=True)
@@ -63,15 +64,16 @@ class Run:
     scenario : is copied.
     duration : least wall-clock time of the whole run [s], so that it can be watched; 0 is as
         fast as possible.
+    after : a run that this one supersedes: it is stopped, and waited for.
 
     Attributes
     ----------
     phase : where the run stands.
     simulation, record, baseline : None until they are made; `record` grows while running.
-    message : why the run was refused, or empty.
+    message : why the run was refused or failed, or empty.
     """
 
-    def __init__(self, scenario: Scenario, duration: float = 0.0) -> None:
+    def __init__(self, scenario: Scenario, duration: float = 0.0, after: Run | None = None) -> None:
         self.scenario = scenario.copy()
         self.phase = Phase.WAITING
         self.simulation: Simulation | None = None
@@ -79,10 +81,18 @@ class Run:
         self.baseline: Baseline | None = None
         self.message = ""
         self._duration = duration
+        self._after = after
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._work, name="tyrecontact-run", daemon=True)
 
+    @property
+    def stopping(self) -> bool:
+        """Asked to end, and not at its end yet."""
+        return self._stop.is_set() and not self.phase.ended
+
     def start(self) -> None:
+        if self._after is not None:
+            self._after.stop()
         self._thread.start()
 
     def stop(self) -> None:
@@ -98,60 +108,74 @@ class Run:
         """What has been computed so far, or None if nothing has."""
         if self.simulation is None or self.record is None:
             return None
-        reason = "stopped by the user" if self.phase is Phase.STOPPED else ""
-        return self.simulation.collect(self.record, reason)
+        reason = {Phase.STOPPED: "stopped by the user", Phase.FAILED: self.message}
+        return self.simulation.collect(self.record, reason.get(self.phase, ""))
 
     def _work(self) -> None:
+        if self._after is not None:
+            self._after.join()
+            self._after = None
         try:
             self.phase = Phase.PREPARING
-            self._prepare()
-            if not self._stop.is_set():
-                self.phase = Phase.RUNNING
-                self._solve()
-            self.phase = Phase.STOPPED if self._stop.is_set() else Phase.FINISHED
+            complete = self._prepare() and self._solve()
+            self.phase = Phase.FINISHED if complete else Phase.STOPPED
         except (TyreContactError, MemoryError) as error:
-            self.message = str(error) or "not enough memory for this run"
-            self.phase = Phase.REFUSED
+            self._end_in(str(error) or "not enough memory for this run")
         except BaseException as error:
-            self.message = f"the run failed: {error!r}"
-            self.phase = Phase.REFUSED
+            self._end_in(f"an error that should not be, {error!r}")
             raise
 
-    def _prepare(self) -> None:
-        simulation = Simulation(self.scenario)
-        bodies = simulation.bodies
-        if self._stop.is_set():
-            return
-        self.baseline = _baseline(simulation)
-        self.record = Record(len(simulation), bodies.kernel.shape)
-        self.simulation = simulation
+    def _end_in(self, message: str) -> None:
+        self.message = message
+        begun = self.record is not None and self.record.count > 0
+        self.phase = Phase.FAILED if begun else Phase.REFUSED
 
-    def _solve(self) -> None:
+    def _prepare(self) -> bool:
+        """Make what the loop needs; False where the run was stopped meanwhile."""
+        simulation = Simulation(self.scenario)
+        for part in ("patch", "springs", "kernel", "bodies"):
+            if self._stop.is_set():
+                return False
+            getattr(simulation, part)
+        baseline = _baseline(simulation, self._stop)
+        if baseline is None:
+            return False
+        self.record = Record(len(simulation), simulation.bodies.kernel.shape)
+        self.baseline = baseline
+        self.simulation = simulation
+        return True
+
+    def _solve(self) -> bool:
+        """The loop; False where the run was stopped before its end."""
         assert self.simulation is not None
         assert self.record is not None
+        self.phase = Phase.RUNNING
         began, steps = time.monotonic(), len(self.simulation)
         for step in self.simulation:
             self.record.append(step)
+            if step.stop_reason or self.record.count == steps:
+                break
             due = began + self._duration * self.record.count / steps
             if self._stop.is_set() or self._stop.wait(max(0.0, due - time.monotonic())):
-                return
+                return False
+        return True
 
 
 _baselines: OrderedDict[str, Baseline] = OrderedDict()
 _baselines_lock = threading.Lock()
 
 
-def _baseline(simulation: Simulation) -> Baseline:
-    """The quasi-static run of a scenario; kept, since numerics do not change it."""
+def _baseline(simulation: Simulation, stop: threading.Event) -> Baseline | None:
+    """The quasi-static run of a scenario, or None if stopped; kept, as few settings change it."""
     parts = simulation.scenario.to_dict()
     del parts["numerics"]
-    key = json.dumps(parts)
+    key = json.dumps([parts, simulation.time_step])
     with _baselines_lock:
         if key in _baselines:
             _baselines.move_to_end(key)
             return _baselines[key]
-    made = _run_at_rest(simulation)
-    if not simulation.scenario.road.file:  # a file may change under its name
+    made = _run_at_rest(simulation, stop)
+    if made is not None and not simulation.scenario.road.file:  # a file may change under its name
         with _baselines_lock:
             _baselines[key] = made
             while len(_baselines) > _KEPT_BASELINES:
@@ -159,7 +183,13 @@ def _baseline(simulation: Simulation) -> Baseline:
     return made
 
 
-def _run_at_rest(simulation: Simulation) -> Baseline:
-    results = simulation.quasi_static(BASELINE_STEPS).run()
+def _run_at_rest(simulation: Simulation, stop: threading.Event) -> Baseline | None:
+    still = simulation.quasi_static(BASELINE_STEPS)
+    record = Record(len(still), simulation.bodies.kernel.shape)
+    for step in still:
+        if stop.is_set():
+            return None
+        record.append(step)
+    results = still.collect(record)
     peak = float(results.element_force.max(initial=0.0))
     return Baseline(results.time, results.indentation, results.contact_force, peak)

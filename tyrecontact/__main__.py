@@ -8,13 +8,14 @@ import os
 import sys
 import time
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from tqdm import tqdm
 
 from tyrecontact import presets
 from tyrecontact.errors import InputError, TyreContactError
-from tyrecontact.results import Record, Results
+from tyrecontact.results import Results
 from tyrecontact.scenario import Scenario, read_tables
 from tyrecontact.simulation import Simulation
 
@@ -84,12 +85,13 @@ def _run(options: argparse.Namespace) -> None:
     kernel_began = time.perf_counter()
     simulation.kernel  # noqa: B018 - built here so that its time is known
     kernel_seconds = time.perf_counter() - kernel_began
-    results = _run_with_progress(simulation)
+    # a bar on a terminal, none otherwise
+    results = simulation.run(partial(tqdm, disable=None, unit="step", leave=False))
     wall_seconds = time.perf_counter() - began
-    if options.output is not None:
-        _write(results, options.output)
     summary = {**results.summary(), "wall_s": wall_seconds, "kernel_s": kernel_seconds}
     print(json.dumps(summary) if options.json else _in_words(summary))
+    if options.output is not None:
+        _write(results, options.output)
 
 
 def _scenario(name: str) -> Scenario:
@@ -123,18 +125,6 @@ def _write(results: Results, path: Path) -> None:
         raise TyreContactError(f"--output could not be written, {path}: {error}") from error
     finally:
         part.unlink(missing_ok=True)
-
-
-def _run_with_progress(simulation: Simulation) -> Results:
-    """The run; a bar on a terminal, none otherwise; Ctrl-C keeps what was computed."""
-    record = Record(len(simulation), simulation.bodies.kernel.shape)
-    reason = ""
-    try:
-        for step in tqdm(simulation, disable=None, unit="step", leave=False):
-            record.append(step)
-    except KeyboardInterrupt:
-        reason = "stopped by the user"
-    return simulation.collect(record, reason)
 
 
 def _in_words(summary: dict) -> str:

@@ -30,8 +30,7 @@ class Path:
         """Times [s] and indentations [m] of all steps, from rest to the end of the path.
 
         Each leg takes a whole number of steps, so that every knot is met by a step and no step
-        is cut short, which would be a jump of the rate; rates change by less than half a step's
-        share of their leg.
+        is cut short, which would be a jump of the rate. A leg shorter than a step takes one.
 
         Raises
         ------

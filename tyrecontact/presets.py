@@ -46,7 +46,7 @@ def thesis_factor_4() -> Scenario:
 
 
 def thesis_exchange() -> Scenario:
-    """The second cure of the thesis: the 80 stiffest springs exchanged (Figs. 23 and 27)."""
+    """The thesis' second cure, the 80 stiffest springs exchanged (Fig. 27): little help here."""
     scenario = thesis_instability()
     scenario.springs.exchange_count = 80
     return scenario
@@ -58,7 +58,7 @@ def quasi_static() -> Scenario:
 
 
 def adhesion() -> Scenario:
-    """Pressed to about 60 N, held, and pulled off a sticky road (in the manner of Figs. 42-43)."""
+    """Pressed in by 0.07 mm, held, and pulled off a sticky road (after Figs. 42 and 43)."""
     return Scenario(
         loading={
             "profile": "load-hold-unload",

@@ -105,9 +105,11 @@ class Record:
         self.count += 1
 
     def results(self, scenario: Scenario, spacing: float, stop_reason: str = "") -> Results:
-        """What was recorded so far, without the rows that were not."""
-        columns = {name: column[: self.count].copy() for name, column in self.columns.items()}
-        return Results(scenario, spacing, columns, stop_reason or self.stop_reason)
+        """What was recorded so far; later rows do not reach it."""
+        count = self.count  # once: a thread may be raising it
+        columns = {name: column[:count] for name, column in self.columns.items()}
+        reason = stop_reason or self.stop_reason or "completed"
+        return Results(scenario, spacing, columns, reason)
 
 
 @dataclass(frozen=True)
@@ -126,10 +128,6 @@ class Results:
     spacing: float
     columns: dict[str, np.ndarray]
     stop_reason: str = "completed"
-
-    def __post_init__(self) -> None:
-        if not self.stop_reason:
-            object.__setattr__(self, "stop_reason", "completed")
 
     def __getattr__(self, name: str) -> np.ndarray:
         try:

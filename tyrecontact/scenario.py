@@ -68,7 +68,7 @@ class Tread(Part):
     density = Quantity(1300.0, (1.0, 3e4), "kg/m3", "Density of the tread")
     thickness = Quantity(10e-3, (0.1e-3, 0.2), "m", "Thickness of the tread", _MM)
     base_modulus = Quantity(72e9, (1e5, 1e13), "Pa", "Young's modulus of the base", ("GPa", 1e-9))
-    base_loss_factor = Quantity(5e-5, (0.0, 0.09), "", "Loss factor of the base")
+    base_loss_factor = Quantity(5e-5, (0.0, 0.09), "", "Loss factor of the base", ("1e-5", 1e5))
     base_poissons_ratio = Quantity(0.33, (-0.9, 0.4999), "", "Poisson's ratio of the base")
     base_density = Quantity(2700.0, (1.0, 3e4), "kg/m3", "Density of the base")
     base_thickness = Quantity(3e-3, (1e-5, 0.2), "m", "Thickness of the base", _MM)
@@ -110,8 +110,10 @@ class Numerics(Part):
     time_resolution_factor = Count(1, (1, 16), "How many times finer than the sampling frequency")
     sampling_frequency = Quantity(51200.0, (10.0, 1e7), "Hz", "Sampling frequency", ("kHz", 1e-3))
     lags = Count(256, (2, 65536), "Lags of the kernel at the sampling frequency", "samples")
-    tolerance = Quantity(1e-10, (1e-13, 1e-3), "", "Largest residual, per largest indentation")
-    max_iterations = Count(10, (1, 1000), "Newton iterations allowed in a step")
+    tolerance = Quantity(
+        1e-10, (1e-13, 1e-3), "", "Largest residual, per largest indentation", ("1e-10", 1e10)
+    )
+    max_iterations = Count(50, (1, 1000), "Newton iterations allowed in a step; 10 in the thesis")
     initial_guess = Choice(
         "extrapolated",
         ["extrapolated", "last"],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
 
@@ -41,6 +41,7 @@ class Simulation:
         self.scenario = scenario.copy()
         numerics = self.scenario.numerics
         self.time_step = 1 / (numerics.sampling_frequency * numerics.time_resolution_factor)
+        assembly.require_consistent(self.scenario)
         path = assembly.loading_path(self.scenario.loading)
         self.time, self.indentation = path.sampled(self.time_step)
 
@@ -57,12 +58,15 @@ class Simulation:
             if step.stop_reason:
                 return
 
-    def run(self) -> Results:
-        """Run to the end. Ctrl-C ends the run and keeps what was computed."""
+    def run(self, progress: Callable[[Iterable[Step]], Iterable[Step]] = iter) -> Results:
+        """Run to the end. Ctrl-C ends the run and keeps what was computed.
+
+        `progress` wraps the loop, as `tqdm` does.
+        """
         record = Record(len(self), self.bodies.kernel.shape)
         reason = ""
         try:
-            for step in self:
+            for step in progress(self):
                 record.append(step)
         except KeyboardInterrupt:
             reason = "stopped by the user"
@@ -149,16 +153,20 @@ class Simulation:
 
     def _reason_to_stop(self, step: Step) -> str:
         """Why a run must not go on after this step, or nothing."""
-        thickness = self.scenario.tread.thickness
-        if np.abs(step.displacement).max() > thickness:
+        limit = self.scenario.tread.thickness  # more than that is no solution of anything
+        if not np.abs(step.displacement).max() <= limit:
             return (
                 f"diverged at step {step.index}: the tread is displaced by more than "
-                f"its thickness of {thickness * 1e3:.3g} mm"
+                f"its thickness of {limit * 1e3:.3g} mm"
             )
         if self.scenario.numerics.solver == "robust" and not step.converged:
             return (
                 f"not converged at step {step.index} after {step.iterations} iterations: "
-                f"residual {step.residual:.2g} m; try a finer time_resolution_factor, more "
-                "max_iterations, or the passive kernel"
+                f"residual {step.residual:.2g} m; try {self._advice()}"
             )
         return ""
+
+    def _advice(self) -> str:
+        if self.scenario.numerics.kernel == "band-limited":
+            return "time_resolution_factor 4 or the passive kernel: it is unstable on stiff springs"
+        return "a finer time_resolution_factor, a slower loading or more max_iterations"

@@ -12,7 +12,8 @@ from tyrecontact.results import Record
 
 from .style import ORANGE, VERMILION, hover
 
-_APART = "#9AA0A81F"
+#: no force: grey on white and on black, unlike the darkest blue
+_APART = "#9AA0A859"
 
 
 class ContactMapView:
@@ -21,12 +22,14 @@ class ContactMapView:
     def __init__(self) -> None:
         self.image = ColumnDataSource({"force": [], "side": []}, name="map")
         self.tension = ColumnDataSource({"x": [], "y": [], "force": []}, name="tension")
-        self.mapper = LinearColorMapper(Cividis256, low=0, high=1, nan_color=_APART)
+        self.mapper = LinearColorMapper(
+            Cividis256, low=0, high=1, nan_color=_APART, high_color=VERMILION
+        )
         self.root = figure(
             title="Contact map  (▼ bonded, in tension)",
             x_axis_label="x [mm]", y_axis_label="y [mm]",
             aspect_ratio=0.84, sizing_mode="scale_width", x_range=(0, 20), y_range=(0, 20),
-            tools="save", toolbar_location="above", output_backend="canvas",
+            tools="save", toolbar_location="above", output_backend="canvas", min_border_right=16,
         )  # fmt: skip
         self._style()
         self._cells = self.root.image(
@@ -39,7 +42,8 @@ class ContactMapView:
         tips = [("tension", "@force{0.000} N")]
         hover(self.root, self._marks, tips, "mouse")
         hover(self.root, self._cells, [("force", "@force{0.000} N")], "mouse")
-        bar = ColorBar(color_mapper=self.mapper, title="Force on an element [N]", width="auto",
+        bar = ColorBar(color_mapper=self.mapper,
+                       title="Force on an element [N]; red: more than at rest", width="auto",
                        height=12, title_text_font_style="normal",
                        background_fill_alpha=0)  # fmt: skip
         self.root.add_layout(bar, "below")
@@ -52,12 +56,17 @@ class ContactMapView:
         self.root.xaxis.axis_label_text_font_style = "normal"
         self.root.yaxis.axis_label_text_font_style = "normal"
 
-    def reset(self, side: float, peak_force: float) -> None:
-        """An empty map of a patch of a given side [m], with colours up to a force [N]."""
-        self.root.x_range.end = self.root.y_range.end = side * 1e3
-        self.mapper.high = peak_force or 1.0
+    def clear(self) -> None:
+        """An empty map."""
         self.image.data = {"force": [], "side": []}
         self.tension.data = {"x": [], "y": [], "force": []}
+
+    def reset(self, side: float, elements: int, peak_force: float) -> None:
+        """An empty map of a patch of a given side [m], with colours up to a force [N]."""
+        self.clear()
+        self.root.x_range.end = self.root.y_range.end = side * 1e3
+        self.mapper.high = peak_force or 1.0
+        self._marks.glyph.size = max(3.0, 180 / elements)
 
     def show(self, record: Record, row: int, spacing: float) -> None:
         """Show one step of the record; elements of side `spacing` [m]."""

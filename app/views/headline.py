@@ -18,16 +18,18 @@ _STYLE = """
 .value { font-size: 18px; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .unit { font-size: 12px; color: var(--muted); margin-left: 3px; }
 .state { margin: 10px 2px 0; min-height: 40px; font-size: 14px; line-height: 20px; }
-.state.bad { color: #D55E00; font-weight: 600; }
+.bad { color: #D55E00; font-weight: 600; }
 """
 
 
 class HeadlineView:
-    """Attributes: `root` a pane; `figures` name -> (value, unit) shown; `sentence` the state."""
+    """Attributes: `root` a pane; `figures` name -> (value, unit) shown; `sentence` the state;
+    `notice` what was not accepted, if anything."""
 
     def __init__(self) -> None:
         self.figures: dict[str, tuple[str, str]] = {}
         self.sentence = ""
+        self.notice = ""
         self.root = pn.pane.HTML(
             "", stylesheets=[_STYLE], sizing_mode="stretch_width", margin=(4, 8)
         )
@@ -38,8 +40,15 @@ class HeadlineView:
         self._show(_figures(None), "Press Run: a rubber tread block is pressed onto a rough road.")
 
     def refuse(self, sentence: str) -> None:
-        """Say why something was not accepted; the figures stay."""
-        self._show(self.figures, f"Not accepted: {sentence}.", bad=True)
+        """Say why something was not accepted; it stays until `accept`."""
+        self.notice = f"Not accepted: {sentence}."
+        self._draw()
+
+    def accept(self) -> None:
+        """Take back what was said of something not accepted."""
+        if self.notice:
+            self.notice = ""
+            self._draw()
 
     def update(self, run: Run) -> None:
         """Show a run as far as it has come."""
@@ -47,17 +56,22 @@ class HeadlineView:
         self._show(_figures(run), sentence, bad)
 
     def _show(self, figures: dict[str, tuple[str, str]], sentence: str, bad: bool = False) -> None:
-        self.figures, self.sentence = figures, sentence
+        self.figures, self.sentence, self._bad = figures, sentence, bad
+        self._draw()
+
+    def _draw(self) -> None:
         cells = "".join(
             f'<div class="figure"><div class="label">{escape(name)}</div>'
             f'<div class="value">{escape(value)}<span class="unit">{escape(unit)}</span></div>'
             "</div>"
-            for name, (value, unit) in figures.items()
+            for name, (value, unit) in self.figures.items()
         )
-        kind = "state bad" if bad else "state"
+        kind = "state bad" if self._bad else "state"
+        notice = f'<div class="bad" role="alert">{escape(self.notice)}</div>' if self.notice else ""
+        # a screen reader would read every step aloud: the sentence is there to be looked up
         self.root.object = (
-            f'<div class="figures">{cells}</div>'
-            f'<div class="{kind}" role="status">{escape(sentence)}</div>'
+            f'<div class="figures">{cells}</div><div class="{kind}" role="status" aria-live="off">'
+            f"{notice}{escape(self.sentence)}</div>"
         )
 
 
@@ -97,21 +111,25 @@ def describe(run: Run) -> tuple[str, bool]:
     if run.phase is Phase.REFUSED:
         return f"Not run: {run.message}.", True
     if run.record is None or run.simulation is None:
-        early = run.phase is Phase.STOPPED
-        return ("Stopped before the first step." if early else
-                "Preparing road, springs and kernel …"), False  # fmt: skip
+        return _before_the_first_step(run), False
     count, total = run.record.count, len(run.simulation)
     failure = _failure(run, count)
-    if run.phase is Phase.STOPPED:
-        return f"Stopped at step {count} of {total}; what was computed stays. {failure}", bool(
-            failure
-        )
-    if not run.phase.ended:
-        return failure or f"Step {count} of {total}, all converged.", bool(failure)
-    if run.record.stop_reason:
+    if run.phase is Phase.FAILED:
+        return f"Failed after step {count}; what was computed stays: {run.message}.", True
+    if run.phase is not Phase.STOPPED and run.record.stop_reason:
         reason = run.record.stop_reason
         return f"{reason[:1].upper()}{reason[1:]}.", True
-    return failure or f"Complete: {total} steps, all converged.", bool(failure)
+    so_far = {
+        Phase.STOPPED: f"Stopped at step {count} of {total}; what was computed stays",
+        Phase.FINISHED: f"Complete, {total} steps",
+    }.get(run.phase, f"Step {count} of {total}")
+    return f"{so_far}: {failure or 'all converged.'}", bool(failure)
+
+
+def _before_the_first_step(run: Run) -> str:
+    if run.phase is Phase.STOPPED:
+        return "Stopped before the first step."
+    return "Stopping …" if run.stopping else "Preparing road, springs and kernel …"
 
 
 def _failure(run: Run, count: int) -> str:
@@ -128,7 +146,7 @@ def _failure(run: Run, count: int) -> str:
             "or the passive kernel"
         )
     return (
-        f"Step {first}, at {columns['indentation'][first] * 1e6:.1f} µm: not converged after "
-        f"{columns['iterations'][first]} iterations, residual {columns['residual'][first]:.1e} m "
-        f"({bad.size} such steps); {advice}."
+        f"{bad.size} not converged, the first at step {first} and "
+        f"{columns['indentation'][first] * 1e6:.1f} µm after {columns['iterations'][first]} "
+        f"iterations, residual {columns['residual'][first]:.1e} m; {advice}."
     )

@@ -9,6 +9,8 @@ from tyrecontact.results import Record
 from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
 
 _COLUMNS = ("time_ms", "indentation_um", "iterations")
+#: vertical range at first, if more iterations than that are allowed
+_SHOWN = 10
 
 
 class IterationsView:
@@ -45,7 +47,7 @@ class IterationsView:
         for source in (self.source, self.failed):
             source.data = {name: [] for name in _COLUMNS}
         self.limit.location = max_iterations
-        self.root.y_range.end = max_iterations * 1.1
+        self.root.y_range.end = 1.1 * min(max_iterations, _SHOWN)
 
     def update(self, record: Record, low: int, high: int) -> None:
         """Add rows low .. high - 1."""
@@ -56,6 +58,7 @@ class IterationsView:
             "iterations": columns["iterations"][low:high],
         }
         self.source.stream(rows)
+        self.root.y_range.end = max(self.root.y_range.end, 1.1 * rows["iterations"].max())
         bad = columns["converged"][low:high] == 0
         if bad.any():
             self.failed.stream({name: values[bad] for name, values in rows.items()})

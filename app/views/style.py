@@ -57,6 +57,7 @@ def plot(title: str, y_label: str, height: int, top: float) -> figure:
         toolbar_location="above",
         output_backend="canvas",
         min_border_left=64,
+        min_border_right=16,
     )
     fig.toolbar.logo = None
     fig.toolbar.autohide = True

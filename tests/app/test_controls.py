@@ -15,7 +15,7 @@ def refusals() -> list[str]:
 
 @pytest.fixture
 def controls(refusals: list[str]) -> Controls:
-    return Controls(refusals.append)
+    return Controls(refusals.append, refusals.clear)
 
 
 def test_every_setting_but_the_road_files_has_a_widget(controls: Controls) -> None:

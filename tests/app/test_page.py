@@ -72,7 +72,25 @@ def test_stop_keeps_what_was_drawn(session: Session) -> None:
 def test_leaving_ends_the_run(session: Session) -> None:
     session.pace.value = "in about 20 s"
     session.start()
+    run = session.run
     session.close()
+    assert run.join(10)
+    assert run.phase is Phase.STOPPED
+    session.frame()  # a last tick of the clock finds nothing to draw
+
+
+def test_what_is_refused_during_a_run_stays_to_be_read(session: Session) -> None:
+    session.pace.value = "in about 20 s"
+    session.start()
+    while session.run.record is None or session.run.record.count < 2:
+        time.sleep(0.01)
+    session.controls.widgets["tread.thickness"].value = -1.0
+    session.frame()
+    assert "tread.thickness must be" in session.headline.root.object
+    session.controls.widgets["tread.thickness"].value = 11.0
+    session.frame()
+    assert "tread.thickness" not in session.headline.root.object
+    session.stop()
     assert session.run.join(10)
 
 
@@ -81,7 +99,10 @@ def test_a_run_that_is_refused_says_why_and_the_next_one_works(session: Session)
     session.start()
     _frames_until_the_end(session)
     assert session.run.phase is Phase.REFUSED
-    assert "exchange_count must lie between 0 and 18" in session.headline.sentence
+    assert (
+        "springs.exchange_count must be at most half the elements, 18, got 100"
+        in session.headline.sentence
+    )
     session.controls.widgets["springs.exchange_count"].value = 4
     session.start()
     _frames_until_the_end(session)

@@ -11,6 +11,7 @@ import pytest
 from app import runner
 from app.runner import Phase, Run
 from tyrecontact import Scenario, Simulation
+from tyrecontact.results import Record, Step
 
 
 def _wait_for(condition, seconds: float = 60.0) -> None:
@@ -104,18 +105,57 @@ def test_the_baseline_is_the_run_at_rest_and_is_kept(small: Scenario) -> None:
     np.testing.assert_allclose(first.contact_force, expected, atol=2e-3 * expected.max())
 
 
-def test_numerics_do_not_change_the_baseline_but_the_road_does(small: Scenario) -> None:
+@pytest.mark.parametrize(
+    ("change", "kept"),
+    [
+        (("numerics.kernel", "band-limited"), True),
+        (("numerics.time_resolution_factor", 2), False),  # other steps of the road to compare with
+        (("road.seed", 2), False),
+    ],
+)
+def test_the_baseline_is_kept_for_what_does_not_change_it(
+    small: Scenario, change: tuple[str, object], kept: bool
+) -> None:
     made = []
-    for changes in ({}, {"numerics.time_resolution_factor": 2}, {"road.seed": 2}):
-        scenario = small.copy()
-        for path, value in changes.items():
-            scenario.set(path, value)
+    for scenario in (small, small.copy()):
+        if made:
+            scenario.set(*change)
         run = Run(scenario)
         run.start()
         assert run.join(60)
         made.append(run.baseline)
-    assert made[0] is made[1]
-    assert made[0] is not made[2]
+    assert (made[0] is made[1]) is kept
+
+
+def test_a_run_that_breaks_off_keeps_its_steps_and_says_so(
+    small: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    append = Record.append
+
+    def break_at_ten(record: Record, step: Step) -> None:
+        if record.count == 10 and len(record.columns["time"]) == len(Simulation(small)):
+            raise MemoryError("no more")
+        append(record, step)
+
+    small.loading.rate = 0.02  # more steps than the baseline has
+    monkeypatch.setattr(Record, "append", break_at_ten)
+    run = Run(small)
+    run.start()
+    assert run.join(60)
+    assert run.phase is Phase.FAILED
+    assert len(run.results()) == 10
+    assert run.results().stop_reason == "no more"
+
+
+def test_a_run_waits_for_the_one_that_it_supersedes(small: Scenario) -> None:
+    first = Run(small, duration=30.0)
+    first.start()
+    _wait_for(lambda: first.phase is Phase.RUNNING)
+    second = Run(small, after=first)
+    second.start()
+    assert second.join(30)
+    assert first.phase is Phase.STOPPED
+    assert second.phase is Phase.FINISHED
 
 
 def test_no_thread_is_left_behind(small: Scenario) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import socket
 import threading
 import time
@@ -11,7 +12,7 @@ import panel as pn
 import pytest
 from playwright.sync_api import Browser
 
-from app.page import build
+from app.page import Session, build
 
 
 @pytest.fixture
@@ -62,3 +63,19 @@ def test_closing_the_tab_ends_the_run(browser: Browser, address: str) -> None:
     context.close()
     # the run has nearly 20 s to go: only the leaving can end it
     assert _wait_for(lambda: _running() == 0, 8)
+
+
+def test_visits_leave_no_document_and_no_session_behind(browser: Browser, address: str) -> None:
+    for _ in range(4):
+        context = browser.new_context()
+        tab = context.new_page()
+        tab.goto(address)
+        tab.get_by_role("status").wait_for(timeout=60_000)
+        context.close()
+
+    def sessions() -> int:
+        gc.collect()
+        return sum(isinstance(thing, Session) for thing in gc.get_objects())
+
+    # the last visit may still be on its way out
+    assert _wait_for(lambda: sessions() <= 1, 20), sessions()

@@ -19,7 +19,7 @@ from tyrecontact.road.springs import Springs
 class ElementState(IntEnum):
     """What an element does at the end of a step."""
 
-    APART = 0  #: has not touched since the start, or since it was released
+    APART = 0  #: neither pressed nor held by a bond
     COMPRESSED = 1
     TENSION = 2  #: bonded and pulled
     RELEASED = 3  #: its bond broke in this step

@@ -12,7 +12,7 @@ from tyrecontact.contact.lattice import History, LatticeKernel
 from tyrecontact.contact.newton import Solution
 from tyrecontact.road.springs import Springs
 
-#: kernel, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
+#: kernel, interface, target, start, last, tolerance, max_iterations -> Solution (contact/newton.py)
 NewtonMethod = Callable[..., Solution]
 
 
@@ -101,12 +101,18 @@ def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) ->
     while True:
         interface = Interface(bodies.springs, bonded)
         solution = solver.method(
-            bodies.kernel, interface, target, guess, solver.tolerance, solver.max_iterations
+            bodies.kernel,
+            interface,
+            target,
+            guess,
+            state.compression,
+            solver.tolerance,
+            solver.max_iterations,
         )
         iterations = max(iterations, solution.iterations)
         broken = bodies.law.overloaded(solution.force, bonded)
-        if not broken.any():
-            break
+        if not solution.converged or not broken.any():
+            break  # forces of a solve that failed break no bond
         bonded, guess = bonded & ~broken, solution.compression
     released = state.bonded & ~bonded
     state.history.remember(solution.force.reshape(bodies.kernel.shape))

@@ -13,7 +13,7 @@ positive definite, by conjugate gradients, and guards it by a line search on the
 
     Psi(d) = F.g_0 F / 2 + sum (F d - U) - b.F,    dPsi/dd = -K f,
 
-whose stationary point in F is the solution. `thesis` is plain Newton on the elements in contact.
+convex in F, whose minimum is the solution. `thesis` is plain Newton on the elements in contact.
 """
 
 from __future__ import annotations
@@ -28,7 +28,9 @@ from tyrecontact.contact.lattice import LatticeKernel
 
 #: relative accuracy of the linear solve: what Newton makes up for, and as good as a direct one
 _INEXACT, _EXACT = 1e-4, 1e-11
-_HALVINGS = 12
+_HALVINGS = 40
+#: an imbalance beyond this [m] is a run that is lost; going on would overflow
+_LOST = 1.0
 
 
 @dataclass(frozen=True)
@@ -57,22 +59,29 @@ def robust(
     interface: Interface,
     target: np.ndarray,
     start: np.ndarray,
+    last: np.ndarray,
     tolerance: float,
     max_iterations: int,
 ) -> Solution:
-    """Globally convergent Newton iteration on all elements.
+    """Newton iteration on all elements, guarded by the energy.
 
     Parameters
     ----------
     kernel : g_0 and its products.  interface : F, K and U.
-    target : b [m], shape (elements,).  start : first guess of d [m], same shape.
+    target : b [m], shape (elements,).
+    start, last : first guess of d [m], and the d of the last step, same shape; where the guess
+        is poor the one of lower energy is begun with.
     tolerance : largest |f| accepted [m].
     """
     point = _Point.at(kernel, interface, target, start)
-    iterations = 0
-    while not point.residual <= tolerance and iterations < max_iterations:
-        step = _newton_step(kernel, point.stiffness, point.gap, _INEXACT)
-        point = _descend(kernel, interface, target, point, step)
+    if point.residual > 0.01 * np.abs(target).max():
+        other = _Point.at(kernel, interface, target, last)
+        point = min(point, other, key=lambda choice: choice.energy(interface, target))
+    iterations, stuck = 0, False
+    while not point.residual <= tolerance and iterations < max_iterations and not stuck:
+        step = _newton_step(kernel, point.stiffness, point.imbalance, _INEXACT)
+        lower = _descend(kernel, interface, target, point, step)
+        point, stuck = lower or point, lower is None
         iterations += 1
     return Solution(
         point.compression, point.force, point.displacement,
@@ -88,7 +97,7 @@ class _Point:
     force: np.ndarray
     stiffness: np.ndarray
     displacement: np.ndarray
-    gap: np.ndarray  # f
+    imbalance: np.ndarray  # f
 
     @classmethod
     def at(
@@ -100,12 +109,12 @@ class _Point:
     ) -> _Point:
         force, stiffness = interface.force_and_stiffness(compression)
         displacement = kernel.instant(force)
-        gap = target - displacement - compression
-        return cls(compression, force, stiffness, displacement, gap)
+        imbalance = target - displacement - compression
+        return cls(compression, force, stiffness, displacement, imbalance)
 
     @property
     def residual(self) -> float:
-        return float(np.abs(self.gap).max())
+        return float(np.abs(self.imbalance).max())
 
     def energy(self, interface: Interface, target: np.ndarray) -> float:
         force, compression = self.force, self.compression
@@ -114,7 +123,7 @@ class _Point:
 
 
 def _newton_step(
-    kernel: LatticeKernel, stiffness: np.ndarray, gap: np.ndarray, accuracy: float
+    kernel: LatticeKernel, stiffness: np.ndarray, imbalance: np.ndarray, accuracy: float
 ) -> np.ndarray:
     """Delta of (1 + g_0 K) Delta = f, from the symmetric form."""
     root = np.sqrt(stiffness)
@@ -123,8 +132,8 @@ def _newton_step(
         return kernel.instant(root * v)
 
     diagonal = 1 + stiffness * kernel.self_compliance
-    v = _conjugate_gradients(lambda v: v + root * product(v), root * gap, diagonal, accuracy)
-    return gap - product(v)
+    v = _conjugate_gradients(lambda v: v + root * product(v), root * imbalance, diagonal, accuracy)
+    return imbalance - product(v)
 
 
 def _conjugate_gradients(
@@ -160,20 +169,22 @@ def _descend(
     target: np.ndarray,
     point: _Point,
     step: np.ndarray,
-) -> _Point:
-    """The full step if the residual falls, else the first halving that lowers the energy."""
-    trial = _Point.at(kernel, interface, target, point.compression + step)
-    if trial.residual < point.residual:
-        return trial
-    slope = -float((point.stiffness * point.gap) @ step)
+) -> _Point | None:
+    """The full step if it halves the residual, else the first halving that lowers the energy.
+
+    None where no halving does.
+    """
+    slope = -float((point.stiffness * point.imbalance) @ step)
     before = point.energy(interface, target)
-    share = 1.0
-    for _ in range(_HALVINGS):
-        if trial.energy(interface, target) <= before + 1e-4 * share * slope:
-            break
-        share /= 2
+    rounding = 1e-14 * abs(before)
+    for halving in range(_HALVINGS):
+        share = 0.5**halving
         trial = _Point.at(kernel, interface, target, point.compression + share * step)
-    return trial
+        if halving == 0 and trial.residual < 0.5 * point.residual:
+            return trial
+        if trial.energy(interface, target) <= before + 1e-4 * share * slope + rounding:
+            return trial
+    return None
 
 
 def thesis(
@@ -181,13 +192,15 @@ def thesis(
     interface: Interface,
     target: np.ndarray,
     start: np.ndarray,
+    last: np.ndarray,
     tolerance: float,
     max_iterations: int,
 ) -> Solution:
     """The thesis' plain Newton iteration on the elements in contact: full steps, no guard.
 
     J_ij = -g_0[i, j] k_j - delta_ij on the elements in contact. Elements that come into
-    compression join between iterations; none leaves within the step. Parameters as `robust`.
+    compression join between iterations; none leaves within the step. Parameters as `robust`;
+    `last` is not used.
     """
     touching = (start > 0) | interface.bonded
     d, iterations = start, 0
@@ -197,15 +210,15 @@ def thesis(
         reach = target - displacement
         d = np.where(touching, d, reach)
         joining = ~touching & (reach > 0)
-        gap = reach - d  # zero where nothing touches
-        residual = float(np.abs(gap).max())
+        imbalance = reach - d  # zero where nothing touches
+        residual = float(np.abs(imbalance).max())
         converged = residual <= tolerance and not joining.any()
-        if converged or iterations == max_iterations:
+        if converged or iterations == max_iterations or not residual < _LOST:
             return Solution(d, force, displacement, iterations, residual, converged)
         if joining.any():
             touching = touching | joining
             force, stiffness = interface.force_and_stiffness(np.where(touching, d, 0.0))
-            gap = target - kernel.instant(force) - d
-        step = _newton_step(kernel, stiffness, gap, _EXACT)
+            imbalance = target - kernel.instant(force) - d
+        step = _newton_step(kernel, stiffness, imbalance, _EXACT)
         d = d + np.where(touching, step, 0.0)
         iterations += 1

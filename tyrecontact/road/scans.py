@@ -17,7 +17,9 @@ MAX_HEIGHTS = 64_000_000
 #: a text matrix with more bytes than this is refused before it is read
 MAX_TEXT_BYTES = 512_000_000
 
-_TEXT = {".txt", ".csv", ".dat", ".asc", ".tsv"}
+_TEXT = (".txt", ".csv", ".dat", ".asc", ".tsv")
+#: endings of the files that can be read
+ENDINGS = (".npy", ".npz", *_TEXT)
 
 
 def read(path: str | Path, pitch: float | None = None, unit: str | None = None) -> Patch:
@@ -39,7 +41,7 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
     InputError : a file that is absent, truncated, too large or not a height map; pitch or unit
         missing; heights that are not finite.
     """
-    path = Path(path)
+    path = Path(path).expanduser()
     if pitch is None:
         raise InputError(f"pitch must be given: {path.name} does not carry the distance of heights")
     if unit is None:

@@ -17,6 +17,9 @@ from scipy import fft
 from tyrecontact.errors import InputError
 from tyrecontact.road.heights import Patch
 
+#: heights of a road that is made; four times as many are made and cropped
+MAX_HEIGHTS = 16_000_000
+
 
 def self_affine(
     size: float,
@@ -50,7 +53,11 @@ def self_affine(
             f"roll_off_wavelength must exceed the cut-off of {cut_off_wavelength} m, "
             f"got {roll_off_wavelength} m"
         )
-    pixels = round(size / pitch)
+    pixels = int(np.ceil(size / pitch * (1 - 1e-9)))
+    if pixels**2 > MAX_HEIGHTS:
+        raise InputError(
+            f"a made road must have at most {MAX_HEIGHTS:g} heights, got {pixels**2:g}"
+        )
     count = 2 * pixels
     rng = np.random.default_rng(seed)
     q = np.hypot(np.fft.fftfreq(count, pitch)[:, None], np.fft.rfftfreq(count, pitch))

@@ -56,6 +56,12 @@ class ElementLattice:
         coarse = np.geomspace(smooth, highest, _count(smooth, highest, _COARSE_STEP))
         return np.concatenate([[0.0], fine, coarse[1:]])
 
+    def bytes_needed(self, frequencies: int) -> float:
+        """Memory that a kernel of so many frequencies takes to make, roughly."""
+        symbol = (self.period // 2 + 1) ** 2
+        nodes = self.wavenumbers.size
+        return 8.0 * symbol * nodes + 16.0 * frequencies * (3 * symbol + 40 * nodes)
+
     def kernel(self, compliance: np.ndarray) -> np.ndarray:
         """Element compliance g [m/N] by offset, from C(k) at `wavenumbers`.
 

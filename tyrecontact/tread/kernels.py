@@ -21,6 +21,8 @@ from tyrecontact.tread.elements import ElementLattice
 from tyrecontact.tread.materials import Layer
 from tyrecontact.tread.plate import surface_compliance
 
+#: a kernel whose making takes more memory is refused
+MAX_BYTES = 8e9
 #: frequencies between 0 and Nyquist at which `critical_stiffness` looks
 _ANGLES = 60
 
@@ -204,6 +206,12 @@ def _element_spectrum(
     if not 0 < spacing < np.inf:
         raise InputError(f"spacing must be positive and finite, got {spacing} m")
     lattice = ElementLattice.around(shape, spacing, sum(layer.thickness for layer in layers))
+    size = lattice.bytes_needed(laplace_frequency.size)
+    if size > MAX_BYTES:
+        raise InputError(
+            f"a kernel must take at most {MAX_BYTES / 1e9:.0f} GB, got {size / 1e9:.0f} GB: "
+            "use fewer lags, fewer elements or thinner layers"
+        )
     k = lattice.wavenumbers[:, None]
     return lattice.kernel(surface_compliance(k, laplace_frequency[None, :], layers))
 

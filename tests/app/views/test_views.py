@@ -68,7 +68,7 @@ def test_the_map_shows_pressed_elements_as_colour_and_bonds_in_tension_as_marks(
 ) -> None:
     view, record = ContactMapView(), finished.record
     spacing = finished.simulation.kernel.spacing
-    view.reset(6e-3, 2.5)
+    view.reset(6e-3, 6, 2.5)
     state, force = record.columns["state"][-1], record.columns["element_force"][-1]
     state[2, 4], force[2, 4] = ElementState.TENSION, -0.25
     view.show(record, record.count - 1, spacing)
@@ -92,9 +92,14 @@ def test_the_headline_gives_figures_with_units_and_a_sentence(finished: Run) -> 
     assert view.figures["Peak force"] == (three_digits(results.contact_force.max()), "N")
     assert view.figures["Indentation"] == ("100.0", "µm")
     assert view.figures["Final stiffness"][1] == "MN/m"
-    assert view.sentence == f"Complete: {len(results)} steps, all converged."
+    assert view.sentence == f"Complete, {len(results)} steps: all converged."
     view.refuse("pitch must be given")
-    assert view.sentence == "Not accepted: pitch must be given."
+    assert view.notice == "Not accepted: pitch must be given."
+    assert view.sentence.startswith("Complete")
+    view.update(finished)
+    assert "pitch must be given" in view.root.object
+    view.accept()
+    assert "pitch must be given" not in view.root.object
     assert view.figures["Peak force"][0] != "–"
 
 
@@ -109,14 +114,22 @@ def test_a_failed_step_is_described_with_place_size_and_advice(finished: Run) ->
     finished.scenario.numerics.kernel = "band-limited"
     sentence, bad = describe(finished)
     assert bad
-    assert sentence.startswith("Step 10, at ")
+    assert "1 not converged, the first at step 10 and " in sentence
     assert "residual" in sentence
     assert "passive kernel" in sentence
 
 
 @pytest.mark.parametrize(
     ("value", "shown"),
-    [(0.0, "0"), (203.79, "204"), (2234.9, "2230"), (0.6042, "0.604"), (35.0, "35.0"), (2.9, "2.90"), (1e-9, "1.00e-09")],
+    [
+        (0.0, "0"),
+        (203.79, "204"),
+        (2234.9, "2230"),
+        (0.6042, "0.604"),
+        (35.0, "35.0"),
+        (2.9, "2.90"),
+        (1e-9, "1.00e-09"),
+    ],
 )
 def test_numbers_have_three_significant_digits(value: float, shown: str) -> None:
     assert three_digits(value) == shown

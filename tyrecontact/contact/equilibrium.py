@@ -9,10 +9,10 @@ import numpy as np
 
 from tyrecontact.contact.adhesion import ElementState, Interface, ReleaseForce
 from tyrecontact.contact.lattice import History, LatticeKernel
-from tyrecontact.contact.newton import Solution
+from tyrecontact.contact.newton import Solution, better_start, robust
 from tyrecontact.road.springs import Springs
 
-#: kernel, interface, target, start, last, tolerance, max_iterations -> Solution (contact/newton.py)
+#: kernel, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
 NewtonMethod = Callable[..., Solution]
 
 
@@ -97,6 +97,9 @@ def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) ->
     bonded, guess = state.bonded, state.compression
     if solver.extrapolates:
         guess = 2 * state.compression - state.earlier_compression
+        if solver.method is robust:
+            interface = Interface(bodies.springs, bonded)
+            guess = better_start(bodies.kernel, interface, target, guess, state.compression)
     iterations = 0
     while True:
         interface = Interface(bodies.springs, bonded)
@@ -105,7 +108,6 @@ def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) ->
             interface,
             target,
             guess,
-            state.compression,
             solver.tolerance,
             solver.max_iterations,
         )

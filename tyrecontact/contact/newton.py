@@ -30,7 +30,7 @@ from tyrecontact.contact.lattice import LatticeKernel
 _INEXACT, _EXACT = 1e-4, 1e-11
 _HALVINGS = 40
 #: an imbalance beyond this [m] is a run that is lost; going on would overflow
-_LOST = 1.0
+_LOST = 1e6
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,6 @@ def robust(
     interface: Interface,
     target: np.ndarray,
     start: np.ndarray,
-    last: np.ndarray,
     tolerance: float,
     max_iterations: int,
 ) -> Solution:
@@ -68,15 +67,10 @@ def robust(
     Parameters
     ----------
     kernel : g_0 and its products.  interface : F, K and U.
-    target : b [m], shape (elements,).
-    start, last : first guess of d [m], and the d of the last step, same shape; where the guess
-        is poor the one of lower energy is begun with.
+    target : b [m], shape (elements,).  start : first guess of d [m], same shape.
     tolerance : largest |f| accepted [m].
     """
     point = _Point.at(kernel, interface, target, start)
-    if point.residual > 0.01 * np.abs(target).max():
-        other = _Point.at(kernel, interface, target, last)
-        point = min(point, other, key=lambda choice: choice.energy(interface, target))
     iterations, stuck = 0, False
     while not point.residual <= tolerance and iterations < max_iterations and not stuck:
         step = _newton_step(kernel, point.stiffness, point.imbalance, _INEXACT)
@@ -87,6 +81,24 @@ def robust(
         point.compression, point.force, point.displacement,
         iterations, point.residual, point.residual <= tolerance,
     )  # fmt: skip
+
+
+def better_start(
+    kernel: LatticeKernel,
+    interface: Interface,
+    target: np.ndarray,
+    guess: np.ndarray,
+    last: np.ndarray,
+) -> np.ndarray:
+    """The guess [m], unless it is poor and the last compression [m] has the lower energy.
+
+    An extrapolation may reach far into springs that turn stiff, from where there is no way back.
+    """
+    point = _Point.at(kernel, interface, target, guess)
+    if point.residual <= 0.01 * np.abs(target).max():
+        return guess
+    other = _Point.at(kernel, interface, target, last)
+    return min(point, other, key=lambda choice: choice.energy(interface, target)).compression
 
 
 @dataclass(frozen=True)
@@ -192,15 +204,13 @@ def thesis(
     interface: Interface,
     target: np.ndarray,
     start: np.ndarray,
-    last: np.ndarray,
     tolerance: float,
     max_iterations: int,
 ) -> Solution:
     """The thesis' plain Newton iteration on the elements in contact: full steps, no guard.
 
     J_ij = -g_0[i, j] k_j - delta_ij on the elements in contact. Elements that come into
-    compression join between iterations; none leaves within the step. Parameters as `robust`;
-    `last` is not used.
+    compression join between iterations; none leaves within the step. Parameters as `robust`.
     """
     touching = (start > 0) | interface.bonded
     d, iterations = start, 0

@@ -20,17 +20,17 @@ def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture
 def quick() -> Scenario:
-    """6 x 6 elements, 53 steps to 0.1 mm: a run of a tenth of a second."""
+    """6 x 6 elements, to 0.1 mm in 50 steps: a run of a tenth of a second."""
     return Scenario(
         road={"elements": 6, "size": 6e-3, "pixel": 5e-5},
-        loading={"max_indentation": 100e-6, "rate": 0.1},
+        loading={"max_indentation": 100e-6, "rate": 0.1024},
         numerics={"lags": 32},
     )
 
 
 @pytest.fixture
 def quick_cycle(quick: Scenario) -> Scenario:
-    """The quick scenario pressed, held, and pulled off: 210 steps."""
+    """The quick scenario pressed, held, and pulled off in 210 steps."""
     quick.loading.param.update(
         profile="load-hold-unload", hold_time=2e-4, unloading_rate=0.1, retraction=2e-4
     )

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import errno
 import json
-import os
 import sys
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
@@ -107,24 +108,38 @@ def _scenario(name: str) -> Scenario:
     return scenario
 
 
+def _part(path: Path) -> Path:
+    """Where an output is written before it takes its name."""
+    target = path.resolve()
+    return target.with_name(f"{target.name}.part")
+
+
 def _require_writable(path: Path) -> None:
     """Refuse an output that cannot be written before the run, not after it."""
-    target = path.resolve()
-    if target.is_dir() or not os.access(target.parent, os.W_OK):
-        raise InputError(f"--output must name a file in a folder that can be written, got {path}")
+    try:
+        if path.resolve().is_dir():
+            raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        part = _part(path)
+        part.touch()
+        part.unlink()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(
+            f"--output must name a file that can be written, got {path}: {reason}"
+        ) from None
 
 
 def _write(results: Results, path: Path) -> None:
     """Write beside the target and rename, so that no half-written file takes its name."""
-    target = path.resolve()
-    part = target.with_name(f"{target.name}.part")
+    part = _part(path)
     try:
         results.to_xarray().to_netcdf(part)
-        part.replace(target)
+        part.replace(path.resolve())
     except OSError as error:
         raise TyreContactError(f"--output could not be written, {path}: {error}") from error
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
 
 
 def _in_words(summary: dict) -> str:

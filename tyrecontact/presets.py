@@ -99,7 +99,7 @@ def get(name: str) -> Scenario:
 
 def caption(name: str) -> str:
     """One line on what a preset shows, and where it is from."""
-    return (_function(name).__doc__ or "").strip().splitlines()[0]
+    return (_function(name).__doc__ or "").strip().partition("\n")[0]
 
 
 def _function(name: str) -> Callable[[], Scenario]:

@@ -88,15 +88,32 @@ class Text(param.String):
             raise InputError(f"{_path(self)} must be a text, got {val!r}")
 
 
+def _plain(value: Any) -> Any:
+    """A number as Python's own int or float: no other would survive a way through JSON."""
+    if isinstance(value, np.generic):
+        return value.item()
+    if isinstance(value, Real) and not isinstance(value, int | float):
+        return float(value)
+    return value
+
+
 class Part(param.Parameterized):
     """A group of settings; a misspelt one is refused, not taken as a new attribute."""
 
+    def __init__(self, **settings: Any) -> None:
+        for name in settings:
+            self._require_known(name)
+        super().__init__(**settings)
+
     def __setattr__(self, name: str, value: Any) -> None:
-        if not name.startswith("_") and name not in self.param:
+        if not name.startswith("_"):
+            self._require_known(name)
+        super().__setattr__(name, _plain(value))
+
+    def _require_known(self, name: str) -> None:
+        if name not in self.param:
             known = [setting for setting in self.param if setting != "name"]
             raise unknown_name(f"setting of {type(self).__name__.lower()}", name, known)
-        # numpy's scalars would not survive a way through JSON
-        super().__setattr__(name, value.item() if isinstance(value, np.generic) else value)
 
 
 class Group(param.ClassSelector):

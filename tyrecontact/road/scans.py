@@ -72,7 +72,7 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
 
 
 def _read_npy(path: Path) -> np.ndarray:
-    heights = np.load(path, mmap_mode="r", allow_pickle=False)  # sized before it is read
+    heights = np.lib.format.open_memmap(path, mode="r")  # sized before it is read; no pickles
     _require_size(heights.size, path)
     return heights
 

@@ -43,7 +43,7 @@ class ContactMapView:
         hover(self.root, self._marks, tips, "mouse")
         hover(self.root, self._cells, [("force", "@force{0.000} N")], "mouse")
         bar = ColorBar(color_mapper=self.mapper,
-                       title="Force on an element [N]; red: more than at rest", width="auto",
+                       title="Force on an element [N]; red: beyond the scale", width="auto",
                        height=12, title_text_font_style="normal",
                        background_fill_alpha=0)  # fmt: skip
         self.root.add_layout(bar, "below")
@@ -62,10 +62,10 @@ class ContactMapView:
         self.tension.data = {"x": [], "y": [], "force": []}
 
     def reset(self, side: float, elements: int, peak_force: float) -> None:
-        """An empty map of a patch of a given side [m], with colours up to a force [N]."""
+        """An empty map of a patch of a given side [m], with colours to a little above a force [N]."""
         self.clear()
         self.root.x_range.end = self.root.y_range.end = side * 1e3
-        self.mapper.high = peak_force or 1.0
+        self.mapper.high = 1.2 * peak_force or 1.0
         self._marks.glyph.size = max(3.0, 180 / elements)
 
     def show(self, record: Record, row: int, spacing: float) -> None:

@@ -103,11 +103,10 @@ def test_the_quasi_static_companion_follows_the_same_path_in_fewer_steps(
     still = dynamic.quasi_static(30)
     results = still.run()
     assert len(still) == len(results)
-    assert 25 <= len(results) <= 31  # a hold is passed in one step
+    assert 25 <= len(results) <= 33  # equally spaced, both ends of the hold, and the last
     assert set(still.indentation) <= set(dynamic.indentation)
     assert still.indentation[[0, -1]].tolist() == dynamic.indentation[[0, -1]].tolist()
-    # the turning point lies within a step of the 30 along a path of 0.4 mm
-    assert still.indentation.max() > dynamic.indentation.max() - 0.4e-3 / 30
+    assert still.indentation.max() == dynamic.indentation.max()
     assert results.converged.all()
     assert still.patch is dynamic.patch
     assert still.kernel.lags == 1

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 
 from tyrecontact.contact.adhesion import ElementState
 from tyrecontact.errors import InputError
 from tyrecontact.scenario import Scenario
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 #: a run that keeps more than this is refused before it starts
 MAX_BYTES = 4_000_000_000
@@ -190,6 +192,8 @@ class Results:
 
     def to_xarray(self) -> xr.Dataset:
         """Dataset with dimensions time, y, x; units and long_name on every variable."""
+        import xarray as xr  # a third of a second that a run without files need not wait for
+
         ny, nx = self.columns["element_force"].shape[1:]
         middle = {
             "y": (np.arange(ny) + 0.5) * self.spacing,

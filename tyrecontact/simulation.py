@@ -76,7 +76,7 @@ class Simulation:
         """The same path with the tread at rest in every step, robustly solved.
 
         Of this simulation's steps about `steps` are kept, equally spaced along the path of the
-        road; time has no meaning for the tread at rest.
+        road, and those where it turns; time has no meaning for the tread at rest.
         """
         still = self.scenario.copy()
         still.numerics.param.update(
@@ -86,7 +86,9 @@ class Simulation:
         other = Simulation(still)
         travelled = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(self.indentation)))])
         marks = np.linspace(0, travelled[-1], steps)
-        kept = np.unique(np.append(np.searchsorted(travelled, marks * (1 - 1e-12)), len(self) - 1))
+        spaced = np.searchsorted(travelled, marks * (1 - 1e-12))
+        turns = np.flatnonzero(np.diff(np.sign(np.diff(self.indentation)))) + 1
+        kept = np.unique(np.concatenate([spaced, turns, [len(self) - 1]]))
         other.time, other.indentation = self.time[kept], self.indentation[kept]
         other.patch, other.springs = self.patch, self.springs
         return other

@@ -62,7 +62,7 @@ class ContactMapView:
         self.tension.data = {"x": [], "y": [], "force": []}
 
     def reset(self, side: float, elements: int, peak_force: float) -> None:
-        """An empty map of a patch of a given side [m], with colours to a little above a force [N]."""
+        """An empty map of a patch of a side [m], with colours to a little above a force [N]."""
         self.clear()
         self.root.x_range.end = self.root.y_range.end = side * 1e3
         self.mapper.high = 1.2 * peak_force or 1.0

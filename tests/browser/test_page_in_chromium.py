@@ -100,23 +100,27 @@ def test_a_phone_gets_the_plots_first_and_no_sideways_scrolling(
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_everything_that_matters_stands_on_a_desktop_screen_without_scrolling(
-    browser: object, address: str, theme: str
+    visit: Visit, theme: str
 ) -> None:
-    context = browser.new_context(  # type: ignore[attr-defined]
-        viewport={"width": 1440, "height": 900}, color_scheme=theme
-    )
-    tab = context.new_page()
-    tab.goto(address)
-    tab.get_by_role("button", name="Run", exact=True).wait_for(timeout=60_000)
-    tab.locator("canvas").nth(2).wait_for(timeout=60_000)
+    tab = visit.tab
+    if theme == "dark":
+        before = _background(visit)
+        tab.get_by_role("button", name="Toggle theme").click()
+        tab.wait_for_function(
+            "was => getComputedStyle(document.body).backgroundColor !== was", arg=before
+        )
     for label in ("Loading profile", "Time-resolution factor"):
         assert _bottom(tab.get_by_role("combobox", name=label)) < 900
     for label in ("Release criterion [N]", "Spring exchange [springs]"):
         assert _bottom(tab.get_by_text(label).first) < 900
     plots = tab.locator(".bk-Figure")
+    plots.nth(2).wait_for(timeout=30_000)
     assert plots.count() == 3
     assert all(_bottom(plots.nth(i)) <= 900 for i in range(3))
-    context.close()
+
+
+def _background(visit: Visit) -> str:
+    return visit.tab.evaluate("getComputedStyle(document.body).backgroundColor")
 
 
 def _bottom(locator: object) -> float:

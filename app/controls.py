@@ -75,7 +75,7 @@ class Controls:
 
     def _add(self, path: str, parameter: param.Parameter, value: Any) -> None:
         unit, scale = parameter.metadata["shown_in"]
-        name = MAIN.get(path) or parameter.name.replace("_", " ").capitalize()
+        name = MAIN.get(path) or _in_words(parameter.name)
         label = f"{name} [{unit}]" if unit else name
         common = {"label": label, "description": parameter.doc, "sizing_mode": "stretch_width"}
         if not isinstance(parameter, Choice | Count):
@@ -130,6 +130,12 @@ class Controls:
     def _value(scenario: Scenario, path: str) -> Any:
         part, parameter = scenario.find(path)
         return getattr(part, parameter.name)
+
+
+def _in_words(name: str) -> str:
+    """ "base_poissons_ratio" as "Base Poisson's ratio"."""
+    words = name.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
+    return words[:1].upper() + words[1:]
 
 
 def _widget(path: str, parameter: param.Parameter, value: Any, common: dict[str, Any]) -> Any:

@@ -32,6 +32,7 @@ def test_labels_carry_the_unit_that_is_shown(controls: Controls) -> None:
     assert controls.widgets["adhesion.release_force"].label == "Release criterion [N]"
     assert controls.widgets["loading.max_indentation"].label == "Max indentation [mm]"
     assert controls.widgets["loading.max_indentation"].value == pytest.approx(0.2)
+    assert controls.widgets["tread.base_poissons_ratio"].label == "Base Poisson's ratio"
 
 
 def test_a_changed_widget_changes_the_scenario_in_si_units(controls: Controls) -> None:

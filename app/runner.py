@@ -17,7 +17,7 @@ import numpy as np
 
 from tyrecontact import Results, Scenario, Simulation
 from tyrecontact.errors import TyreContactError
-from tyrecontact.results import Record
+from tyrecontact.results import STOPPED, Record
 
 #: steps of the quasi-static run that a dynamic one is compared with
 BASELINE_STEPS = 160
@@ -108,7 +108,7 @@ class Run:
         """What has been computed so far, or None if nothing has."""
         if self.simulation is None or self.record is None:
             return None
-        reason = {Phase.STOPPED: "stopped by the user", Phase.FAILED: self.message}
+        reason = {Phase.STOPPED: STOPPED, Phase.FAILED: self.message}
         return self.simulation.collect(self.record, reason.get(self.phase, ""))
 
     def _work(self) -> None:

@@ -216,3 +216,18 @@ def test_half_the_time_step_gives_nearly_the_same(quick: Scenario) -> None:
     quick.numerics.time_resolution_factor = 2
     # second order in the time step of 1/200 of the path: some 1e-4 where contacts come in fast
     np.testing.assert_allclose(forces(quick)[::2], coarse, atol=1e-3 * coarse.max())
+
+
+def test_a_run_that_creates_energy_is_stopped_even_while_newton_converges(quick: Scenario) -> None:
+    """A tread at rest can give back no more than it was given; an unstable scheme does."""
+    quick.springs.youngs_modulus = 1e9
+    quick.numerics.param.update(kernel="band-limited", max_iterations=200)
+    results = Simulation(quick).run()
+    assert results.stop_reason.startswith("unstable at step")
+    assert results.converged.all()
+    assert results.failed_at == len(results) - 1
+    assert results.final_stiffness is None
+    work = np.diff(results.displacement, axis=0) * results.element_force[1:]
+    assert np.cumsum(work.sum(axis=(1, 2)))[-1] < 0
+    quick.numerics.kernel = "passive"
+    assert Simulation(quick).run().stop_reason == "completed"

@@ -15,6 +15,8 @@ from tyrecontact.scenario import Scenario
 if TYPE_CHECKING:
     import xarray as xr
 
+#: how a run ends that did not fail
+COMPLETED, STOPPED = "completed", "stopped by the user"
 #: a run that keeps more than this is refused before it starts
 MAX_BYTES = 4_000_000_000
 
@@ -110,7 +112,7 @@ class Record:
         """What was recorded so far; later rows do not reach it."""
         count = self.count  # once: a thread may be raising it
         columns = {name: column[:count] for name, column in self.columns.items()}
-        reason = stop_reason or self.stop_reason or "completed"
+        reason = stop_reason or self.stop_reason or COMPLETED
         return Results(scenario, spacing, columns, reason)
 
 
@@ -123,13 +125,13 @@ class Results:
     scenario : what was asked.
     spacing : side of an element [m].
     columns : name -> array with the steps first: `time` [s], `SCALARS` and `FIELDS`.
-    stop_reason : "completed", or why the run ended early.
+    stop_reason : `COMPLETED`, `STOPPED`, or why the run had to end early.
     """
 
     scenario: Scenario
     spacing: float
     columns: dict[str, np.ndarray]
-    stop_reason: str = "completed"
+    stop_reason: str = COMPLETED
 
     def __getattr__(self, name: str) -> np.ndarray:
         try:
@@ -142,9 +144,11 @@ class Results:
 
     @property
     def failed_at(self) -> int | None:
-        """Number of the first step that did not converge, or None."""
+        """Number of the first step that did not converge or that ended the run, or None."""
         failed = np.flatnonzero(self.columns["converged"] == 0)
-        return int(failed[0]) if failed.size else None
+        if failed.size:
+            return int(failed[0])
+        return len(self) - 1 if self.stop_reason not in (COMPLETED, STOPPED) else None
 
     @property
     def adherence_force(self) -> float | None:
@@ -158,14 +162,14 @@ class Results:
     def final_stiffness(self) -> float | None:
         """dF/dd [N/m] over the last tenth of the loading, a straight line fitted.
 
-        None where there are not three steps there, or one that did not converge.
+        None where there are not three steps there, or the run had failed by then.
         """
         if not len(self):
             return None
         depth = self.columns["indentation"]
         top = int(depth.argmax())
         last = np.flatnonzero(depth[: top + 1] >= 0.9 * depth[top])
-        if last.size < 3 or not self.columns["converged"][last].all():
+        if last.size < 3 or (self.failed_at is not None and self.failed_at <= top):
             return None
         return float(np.polyfit(depth[last], self.columns["contact_force"][last], 1)[0])
 

@@ -13,7 +13,7 @@ from tyrecontact.contact import newton
 from tyrecontact.contact.adhesion import ElementState, ReleaseForce
 from tyrecontact.contact.equilibrium import Bodies, Equilibrium, Solver, State, advance
 from tyrecontact.contact.lattice import LatticeKernel
-from tyrecontact.results import Record, Results, Step
+from tyrecontact.results import STOPPED, Record, Results, Step
 from tyrecontact.road import heights
 from tyrecontact.road.heights import Patch
 from tyrecontact.road.springs import Springs
@@ -54,6 +54,7 @@ class Simulation:
         for index, indentation in enumerate(self.indentation):
             equilibrium = advance(bodies, solver, state, float(indentation))
             step = self._step(index, equilibrium)
+            step = replace(step, stop_reason=self._reason_to_stop(step, state))
             yield step
             if step.stop_reason:
                 return
@@ -69,7 +70,7 @@ class Simulation:
             for step in progress(self):
                 record.append(step)
         except KeyboardInterrupt:
-            reason = "stopped by the user"
+            reason = STOPPED
         return self.collect(record, reason)
 
     def quasi_static(self, steps: int) -> Simulation:
@@ -134,7 +135,7 @@ class Simulation:
         solution, shape = equilibrium.solution, self.bodies.kernel.shape
         state = equilibrium.state
         touching = (state == ElementState.COMPRESSED) | (state == ElementState.TENSION)
-        step = Step(
+        return Step(
             index=index,
             time=float(self.time[index]),
             indentation=float(self.indentation[index]),
@@ -145,15 +146,13 @@ class Simulation:
             contacts=int(touching.sum()),
             releases=equilibrium.releases,
             element_force=solution.force.reshape(shape).copy(),
-            compression=solution.compression.reshape(
-                shape
-            ).copy(),  # the solver goes on with its own
-            displacement=equilibrium.displacement.reshape(shape),
+            # copies, since the solver goes on with its own
+            compression=solution.compression.reshape(shape).copy(),
+            displacement=equilibrium.displacement.reshape(shape).copy(),
             state=state.reshape(shape),
         )
-        return replace(step, stop_reason=self._reason_to_stop(step))
 
-    def _reason_to_stop(self, step: Step) -> str:
+    def _reason_to_stop(self, step: Step, state: State) -> str:
         """Why a run must not go on after this step, or nothing."""
         limit = self.scenario.tread.thickness  # more than that is no solution of anything
         if not np.abs(step.displacement).max() <= limit:
@@ -161,7 +160,14 @@ class Simulation:
                 f"diverged at step {step.index}: the tread is displaced by more than "
                 f"its thickness of {limit * 1e3:.3g} mm"
             )
-        if self.scenario.numerics.solver == "robust" and not step.converged:
+        if self.scenario.numerics.solver == "thesis":
+            return ""  # it goes on, whatever comes: that is what it is there to show
+        if state.creates_energy:
+            return (
+                f"unstable at step {step.index}: the tread has given back more energy than it was "
+                f"given, which no tread can; try {self._advice()}"
+            )
+        if not step.converged:
             return (
                 f"not converged at step {step.index} after {step.iterations} iterations: "
                 f"residual {step.residual:.2g} m; try {self._advice()}"

@@ -51,19 +51,30 @@ class State:
     history : past forces and what they still do to the tread.
     bonded : which elements can carry tension, shape (elements,).
     compression, earlier_compression : [m] at the end of the last step and of the one before.
+    displacement : of the tread [m] at the end of the last step, shape (elements,).
+    work : work done on the tread since the start [J].
+    turnover : the same, every step counted as positive [J].
     """
 
     history: History
     bonded: np.ndarray
     compression: np.ndarray
     earlier_compression: np.ndarray
+    displacement: np.ndarray
+    work: float = 0.0
+    turnover: float = 0.0
 
     @classmethod
     def at_rest(cls, bodies: Bodies) -> State:
-        count = bodies.tops.size
+        count, tops = bodies.tops.size, bodies.tops
         return cls(
-            History(bodies.kernel), np.zeros(count, bool), bodies.tops.copy(), bodies.tops.copy()
+            History(bodies.kernel), np.zeros(count, bool), tops.copy(), tops.copy(), np.zeros(count)
         )
+
+    @property
+    def creates_energy(self) -> bool:
+        """Whether the tread has given back more than it was given, which no real one can."""
+        return self.work < -1e-6 * self.turnover
 
 
 @dataclass(frozen=True)
@@ -120,9 +131,13 @@ def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) ->
     state.history.remember(solution.force.reshape(bodies.kernel.shape))
     state.bonded = bodies.law.bonds(solution.compression, bonded)
     state.earlier_compression, state.compression = state.compression, solution.compression
+    displacement = past + solution.displacement
+    work = float(solution.force @ (displacement - state.displacement))
+    state.displacement = displacement
+    state.work, state.turnover = state.work + work, state.turnover + abs(work)
     return Equilibrium(
         solution,
-        past + solution.displacement,
+        displacement,
         _element_states(solution.compression, bonded, released),
         iterations,
         int(released.sum()),

@@ -10,7 +10,7 @@ from bokeh.models import HoverTool, Range1d
 from bokeh.plotting import figure
 
 #: Okabe and Ito's palette
-BLUE, VERMILION, ORANGE, PURPLE = "#0072B2", "#D55E00", "#E69F00", "#CC79A7"
+BLUE, VERMILION, ORANGE = "#0072B2", "#D55E00", "#E69F00"
 GREY = "#8A8F98"
 #: line of a run: readable on white and on black
 RUN_COLOR = {False: BLUE, True: "#56B4E9"}

@@ -105,12 +105,7 @@ def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) ->
     """
     past = state.history.displacement().ravel()
     target = indentation + bodies.tops - past
-    bonded, guess = state.bonded, state.compression
-    if solver.extrapolates:
-        guess = 2 * state.compression - state.earlier_compression
-        if solver.method is robust:
-            interface = Interface(bodies.springs, bonded)
-            guess = better_start(bodies.kernel, interface, target, guess, state.compression)
+    bonded, guess = state.bonded, _first_guess(bodies, solver, state, target)
     iterations = 0
     while True:
         interface = Interface(bodies.springs, bonded)
@@ -142,6 +137,17 @@ def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) ->
         iterations,
         int(released.sum()),
     )
+
+
+def _first_guess(bodies: Bodies, solver: Solver, state: State, target: np.ndarray) -> np.ndarray:
+    """Where Newton's method begins: the last compression [m], or its extrapolation."""
+    if not solver.extrapolates:
+        return state.compression
+    guess = 2 * state.compression - state.earlier_compression
+    if solver.method is not robust:
+        return guess
+    interface = Interface(bodies.springs, state.bonded)
+    return better_start(bodies.kernel, interface, target, guess, state.compression)
 
 
 def _element_states(

@@ -48,11 +48,23 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
         raise InputError(f"unit must be given as m, mm or um: {path.name} does not carry it")
     if unit not in UNITS:
         raise unknown_name("unit of heights", unit, UNITS)
+    heights = _matrix(path)
+    if heights.ndim != 2 or heights.dtype.kind not in "fiu":
+        raise InputError(
+            f"road file must hold a 2-D matrix of real numbers, got {path.name} with shape "
+            f"{heights.shape} of {heights.dtype}"
+        )
+    return Patch(np.array(heights, float) * UNITS[unit], pitch)
+
+
+def _matrix(path: Path) -> np.ndarray:
+    """What the file holds; whatever goes wrong is an `InputError` of one sentence."""
     reader = {".npy": _read_npy, ".npz": _read_npz, **dict.fromkeys(_TEXT, _read_text)}
-    if path.suffix.lower() not in reader:
-        raise unknown_name("kind of road file", path.suffix.lower(), reader)
+    ending = path.suffix.lower()
+    if ending not in reader:
+        raise unknown_name("kind of road file", ending, reader)
     try:
-        heights = reader[path.suffix.lower()](path)
+        return reader[ending](path)
     except InputError:
         raise
     except OSError as error:
@@ -63,12 +75,6 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
         raise InputError(
             f"road file must hold a matrix of numbers, got {path.name}: {first_line}"
         ) from None
-    if heights.ndim != 2 or heights.dtype.kind not in "fiu":
-        raise InputError(
-            f"road file must hold a 2-D matrix of real numbers, got {path.name} with shape "
-            f"{heights.shape} of {heights.dtype}"
-        )
-    return Patch(np.array(heights, float) * UNITS[unit], pitch)
 
 
 def _read_npy(path: Path) -> np.ndarray:

@@ -43,16 +43,7 @@ def self_affine(
     cut_off_wavelength : shortest wavelength [m].
     seed : of the random phases; the same seed gives the same road.
     """
-    for name, value in (("size", size), ("pitch", pitch), ("rms", rms)):
-        if not 0 < value < np.inf:
-            raise InputError(f"{name} of a road must be positive and finite, got {value} m")
-    if not 0 < hurst <= 1:
-        raise InputError(f"hurst must lie in (0, 1], got {hurst}")
-    if not 0 < cut_off_wavelength < roll_off_wavelength:
-        raise InputError(
-            f"roll_off_wavelength must exceed the cut-off of {cut_off_wavelength} m, "
-            f"got {roll_off_wavelength} m"
-        )
+    _require_sensible(size, pitch, rms, hurst, roll_off_wavelength, cut_off_wavelength)
     pixels = int(np.ceil(size / pitch * (1 - 1e-9)))
     if pixels**2 > MAX_HEIGHTS:
         raise InputError(
@@ -67,6 +58,26 @@ def self_affine(
     spectrum = fft.rfft2(rng.standard_normal((count, count))) * amplitude
     heights = fft.irfft2(spectrum, s=(count, count))
     return Patch((heights * (rms / heights.std()))[:pixels, :pixels].copy(), pitch)
+
+
+def _require_sensible(
+    size: float,
+    pitch: float,
+    rms: float,
+    hurst: float,
+    roll_off_wavelength: float,
+    cut_off_wavelength: float,
+) -> None:
+    for name, value in (("size", size), ("pitch", pitch), ("rms", rms)):
+        if not 0 < value < np.inf:
+            raise InputError(f"{name} of a road must be positive and finite, got {value} m")
+    if not 0 < hurst <= 1:
+        raise InputError(f"hurst must lie in (0, 1], got {hurst}")
+    if not 0 < cut_off_wavelength < roll_off_wavelength:
+        raise InputError(
+            f"roll_off_wavelength must exceed the cut-off of {cut_off_wavelength} m, "
+            f"got {roll_off_wavelength} m"
+        )
 
 
 def worn(

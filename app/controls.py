@@ -10,7 +10,7 @@ import param
 
 from tyrecontact import Scenario, presets
 from tyrecontact.errors import InputError
-from tyrecontact.settings import Choice, Count
+from tyrecontact.settings import Choice, Count, Text
 
 from .road_file import RoadFile
 
@@ -24,6 +24,7 @@ MAIN = {
 #: folded groups: title -> parts
 GROUPS = {
     "Loading": ("loading",),
+    "Adhesion": ("adhesion",),
     "Road and springs": ("road", "springs"),
     "Tread": ("tread",),
     "Numerics": ("numerics",),
@@ -78,7 +79,7 @@ class Controls:
         name = MAIN.get(path) or _in_words(parameter.name)
         label = f"{name} [{unit}]" if unit else name
         common = {"label": label, "description": parameter.doc, "sizing_mode": "stretch_width"}
-        if not isinstance(parameter, Choice | Count):
+        if not isinstance(parameter, Choice | Count | Text):
             self._scales[path] = scale
             value = value * scale
         self.widgets[path] = _widget(path, parameter, value, common)
@@ -143,6 +144,8 @@ def _widget(path: str, parameter: param.Parameter, value: Any, common: dict[str,
         return pmui.Select(options=parameter.objects, value=value, size="small", **common)
     if path == "numerics.time_resolution_factor":
         return pmui.Select(options=[1, 2, 4], value=value, size="small", **common)
+    if isinstance(parameter, Text):
+        return pmui.TextInput(value=value, size="small", **common)
     low, high = parameter.bounds
     if path == "springs.exchange_count":
         return pmui.EditableIntSlider(

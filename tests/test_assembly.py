@@ -9,8 +9,10 @@ import pytest
 
 from tyrecontact import Scenario, Simulation, assembly
 from tyrecontact.errors import InputError
+from tyrecontact.parts.process import Loading
+from tyrecontact.parts.road import Road
+from tyrecontact.parts.tread import Tread
 from tyrecontact.road import heights
-from tyrecontact.scenario import Loading, Road, Tread
 
 ROAD = {"elements": 6, "size": 6e-3, "pixel": 5e-5}
 

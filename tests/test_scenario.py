@@ -10,7 +10,8 @@ import pytest
 
 from tyrecontact import Scenario
 from tyrecontact.errors import InputError
-from tyrecontact.scenario import Numerics, read_tables
+from tyrecontact.parts.process import Numerics
+from tyrecontact.scenario import read_tables
 
 CHANGES: dict[str, dict[str, Any]] = {
     "road": {"file": "scan.npy", "pitch": 2e-5, "height_unit": "um", "elements": 12},

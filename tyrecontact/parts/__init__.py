@@ -1,0 +1,4 @@
+"""The settings of a scenario, part by part; all values are SI.
+
+`metadata["shown_in"]` is what a form shows instead.
+"""

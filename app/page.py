@@ -156,10 +156,12 @@ class Session:
 
     def _choose_axis(self) -> None:
         """Put on the horizontal axis what is chosen, as far as the run on show goes."""
-        simulation = self.run.simulation if self.run is not None and self._prepared else None
-        if simulation is None:
+        if self.run is None or not self._prepared:
             return
-        axis = horizontal(self.axis.value, simulation.time, simulation.indentation)
+        simulation, baseline = self.run.simulation, self.run.baseline
+        assert simulation is not None
+        assert baseline is not None
+        axis = horizontal(self.axis.value, simulation.schedule.time, baseline.indentation)
         self.force.show_against(axis)
         self.iterations.show_against(axis)
 

@@ -189,4 +189,4 @@ def test_each_profile_takes_its_settings(
 ) -> None:
     path = assembly.loading_path(Loading(**change))
     assert path.time[-1] == pytest.approx(duration, rel=1e-12)  # rounding of sums
-    assert path.indentation[-1] == end
+    assert path.drive[-1] == end

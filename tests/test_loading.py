@@ -57,7 +57,7 @@ def test_a_cycle_has_its_corners() -> None:
     path = cycle()
     down, hold, up = DEPTH / 0.03, 2e-3, (DEPTH + 1e-4) / 0.003
     np.testing.assert_allclose(path.time, np.cumsum([0, down, hold, up]), rtol=1e-15)  # rounding
-    np.testing.assert_array_equal(path.indentation, [0, DEPTH, DEPTH, -1e-4])
+    np.testing.assert_array_equal(path.drive, [0, DEPTH, DEPTH, -1e-4])
 
 
 def test_a_cycle_goes_down_stays_and_comes_up_at_its_rates() -> None:
@@ -74,7 +74,7 @@ def test_a_cycle_goes_down_stays_and_comes_up_at_its_rates() -> None:
 def test_no_hold_time_turns_around_at_once() -> None:
     path = cycle(hold_time=0.0)
     assert np.all(np.diff(path.time) > 0)
-    np.testing.assert_array_equal(path.indentation, [0, DEPTH, -1e-4])
+    np.testing.assert_array_equal(path.drive, [0, DEPTH, -1e-4])
     _, depth = path.sampled(TIME_STEP)
     assert np.sum(depth == DEPTH) == 1
     assert depth.max() == DEPTH

@@ -14,21 +14,31 @@ import pytest
 import xarray as xr
 
 from tyrecontact import Results, Scenario, Simulation
-from tyrecontact.contact.adhesion import ElementState
+from tyrecontact.contact.bonds import ElementState
 from tyrecontact.errors import InputError
 from tyrecontact.results import FIELDS, SCALARS, Record
 
 VARIABLES = {
     "indentation": "m",
     "contact_force": "N",
+    "drive": "m or N",
     "iterations": "1",
     "residual": "m",
     "converged": "1",
+    "stability_margin": "1",
     "contacts": "1",
     "releases": "1",
+    "drive_work": "J",
+    "spring_energy": "J",
+    "machine_energy": "J",
+    "layer_work": "J",
+    "released_energy": "J",
+    "algorithmic_loss": "J",
     "element_force": "N",
     "compression": "m",
     "displacement": "m",
+    "contact_area": "m2",
+    "age": "s",
     "state": "1",
 }
 SUMMARY = {

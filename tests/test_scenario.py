@@ -139,7 +139,7 @@ def test_an_unknown_setting_lists_those_of_the_part_and_the_nearest() -> None:
         message_of(lambda: Scenario(adhesion={"release_forse": 1})),
         message_of(Scenario().set, "adhesion.release_forse", 1),
     ):
-        assert message.startswith("setting of adhesion must be one of release_force, got")
+        assert message.startswith("setting of adhesion must be one of ageing, ")
         assert "did you mean 'release_force'" in message
 
 

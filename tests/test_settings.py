@@ -24,7 +24,10 @@ CHOICES = [path for path, p in SETTINGS.items() if isinstance(p, Choice)]
 SHOWN = {
     "m": {"m": 1, "mm": 1e3, "µm": 1e6},
     "s": {"s": 1, "ms": 1e3, "µs": 1e6},
-    "m/s": {"m/s": 1, "mm/s": 1e3},
+    "m/s": {"m/s": 1, "mm/s": 1e3, "µm/s": 1e6},
+    "m2": {"m2": 1, "mm2": 1e6},
+    "N/m": {"N/m": 1, "MN/m": 1e-6},
+    "N/s": {"N/s": 1, "N/ms": 1e-3},
     "Pa": {"Pa": 1, "MPa": 1e-6, "GPa": 1e-9},
     "Hz": {"Hz": 1, "kHz": 1e-3},
 }

@@ -32,8 +32,8 @@ def test_length_times_and_path_are_those_of_the_steps(quick: Scenario) -> None:
     steps = list(run)
     assert len(run) == len(steps) == 51  # 50 steps, and the rest before them
     assert [step.index for step in steps] == list(range(51))
-    np.testing.assert_array_equal([step.time for step in steps], run.time)
-    np.testing.assert_array_equal([step.indentation for step in steps], run.indentation)
+    np.testing.assert_array_equal([step.time for step in steps], run.schedule.time)
+    np.testing.assert_array_equal([step.indentation for step in steps], run.schedule.drive)
     assert steps[0].contact_force == 0 < steps[-1].contact_force
     assert all(step.converged and not step.stop_reason for step in steps)
 
@@ -104,9 +104,9 @@ def test_the_quasi_static_companion_follows_the_same_path_in_fewer_steps(
     results = still.run()
     assert len(still) == len(results)
     assert 25 <= len(results) <= 33  # equally spaced, both ends of the hold, and the last
-    assert set(still.indentation) <= set(dynamic.indentation)
-    assert still.indentation[[0, -1]].tolist() == dynamic.indentation[[0, -1]].tolist()
-    assert still.indentation.max() == dynamic.indentation.max()
+    assert set(still.schedule.drive) <= set(dynamic.schedule.drive)
+    assert still.schedule.drive[[0, -1]].tolist() == dynamic.schedule.drive[[0, -1]].tolist()
+    assert still.schedule.drive.max() == dynamic.schedule.drive.max()
     assert results.converged.all()
     assert still.patch is dynamic.patch
     assert still.kernel.lags == 1

@@ -1,8 +1,10 @@
-"""How the road is moved into the tread: indentation against time (physics, section 7)."""
+"""How the road is moved into the tread: indentation, or force, against time (physics, 7)."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 
 import numpy as np
 
@@ -10,70 +12,204 @@ from tyrecontact.errors import InputError
 
 #: more steps than this are refused: a slip of a unit, not a study
 MAX_STEPS = 500_000
+#: a table with more bytes than this is refused before it is read
+MAX_TABLE_BYTES = 64_000_000
+#: a hold of more than so many memories of the kernel goes on at rest after the second
+_LONG, _SETTLING = 20, 2
+#: steps at rest in a decade of time
+_STEPS_A_DECADE = 12
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """All steps of a run.
+
+    Attributes
+    ----------
+    time [s], drive [m or N] : shape (steps,).
+    at_rest : steps at whose end the tread has come to rest: those of a long hold, boolean.
+    """
+
+    time: np.ndarray
+    drive: np.ndarray
+    at_rest: np.ndarray
+
+
+def straight(share: np.ndarray) -> np.ndarray:
+    """Along a straight line from knot to knot."""
+    return share
+
+
+def accelerated(share: np.ndarray) -> np.ndarray:
+    """From rest at a constant acceleration."""
+    return share**2
+
+
+def swinging(share: np.ndarray) -> np.ndarray:
+    """Half a period of a cosine."""
+    return (1 - np.cos(np.pi * share)) / 2
 
 
 @dataclass(frozen=True)
 class Path:
-    """Indentation along straight lines between knots, or as a power of time up to a maximum.
+    """What the drive does, from knot to knot.
 
     Attributes
     ----------
-    time, indentation : knots [s] and [m], shape (knots,), time increasing.
-    power : 1 for straight lines; 2 for the square of time between two knots.
+    time, drive : knots [s] and [m or N], shape (knots,), time increasing from 0.
+    course : share of a leg's way against share of its time, both from 0 to 1.
+    on_grid : knots are moved to the nearest step, those that meet are one; otherwise each leg
+        takes a whole number of steps, at least one, so that no knot is lost.
     """
 
     time: np.ndarray
-    indentation: np.ndarray
-    power: int = 1
+    drive: np.ndarray
+    course: Callable[[np.ndarray], np.ndarray] = straight
+    on_grid: bool = False
 
     def sampled(self, time_step: float) -> tuple[np.ndarray, np.ndarray]:
-        """Times [s] and indentations [m] of all steps, from rest to the end of the path.
+        """Times [s] and drive [m or N] of all steps of one length, from rest to the end.
 
-        Each leg takes a whole number of steps, so that every knot is met by a step and no step
-        is cut short, which would be a jump of the rate. A leg shorter than a step takes one.
+        No step is cut short, which would be a jump of the rate.
 
         Raises
         ------
         InputError : the path takes more than `MAX_STEPS` steps, or fewer than three.
         """
-        legs = np.maximum(np.rint(np.diff(self.time) / time_step), 1)
-        steps = legs.sum() + 1
-        if not 3 <= steps <= MAX_STEPS:
+        schedule = self.schedule(time_step, np.inf)
+        return schedule.time, schedule.drive
+
+    def schedule(self, time_step: float, memory: float) -> Schedule:
+        """All steps, where the tread forgets after a `memory` [s].
+
+        A hold of more than 20 memories is followed step by step for two. By then the tread is
+        at rest under its forces; the remainder is taken in steps at rest that grow with the time
+        held, so that minutes cost a few dozen.
+
+        Raises
+        ------
+        InputError : the schedule has more than `MAX_STEPS` steps, or fewer than three.
+        """
+        legs, drive = self._legs(time_step)
+        settling = np.inf if np.isinf(memory) else np.ceil(_SETTLING * memory / time_step)
+        long = (np.diff(drive) == 0) & (legs * time_step > _LONG * memory)
+        count = np.where(long, settling, legs).sum() + 1
+        if not 3 <= count <= MAX_STEPS:
             raise InputError(
-                f"loading must take 3 to {MAX_STEPS} steps, got {steps:.0f} "
-                f"({self.time[-1]:.4g} s in steps of {time_step:.4g} s)"
+                f"loading must take 3 to {MAX_STEPS} steps, got {count:.0f} "
+                f"({legs.sum() * time_step:.4g} s in steps of {time_step:.4g} s)"
             )
+        parts, rests = [np.zeros(1)], [np.zeros(1, bool)]
+        begin = 0.0
+        for leg, is_long in zip(legs, long, strict=True):
+            steps = _held(leg, settling) if is_long else np.arange(1, leg + 1)
+            parts.append(begin + steps)
+            rests.append(steps > settling if is_long else np.zeros(steps.size, bool))
+            begin += leg
+        step = np.concatenate(parts)
         knots = np.concatenate([[0.0], np.cumsum(legs)])
-        step = np.arange(knots[-1] + 1)
-        if self.power == 1:
-            return step * time_step, np.interp(step, knots, self.indentation)
-        return step * time_step, self.indentation[-1] * (step / knots[-1]) ** self.power
+        place = np.interp(step, knots, np.arange(knots.size))
+        whole = np.floor(place)
+        along = np.interp(whole + self.course(place - whole), np.arange(knots.size), drive)
+        return Schedule(step * time_step, along, np.concatenate(rests))
+
+    def _legs(self, time_step: float) -> tuple[np.ndarray, np.ndarray]:
+        """Number of steps of each leg, and the drive at the knots."""
+        if not self.on_grid:
+            return np.maximum(np.rint(np.diff(self.time) / time_step), 1), self.drive
+        step = np.rint(self.time / time_step)
+        kept = np.append(np.diff(step) > 0, True)
+        return np.diff(step[kept]), self.drive[kept]
 
 
-def linear(max_indentation: float, rate: float) -> Path:
-    """At a constant rate [m/s] to the largest indentation [m]."""
-    return Path(np.array([0, max_indentation / rate]), np.array([0, max_indentation]))
+def _held(leg: float, settling: float) -> np.ndarray:
+    """Steps of a long hold, in units of a step: every one, then ever fewer."""
+    decades = np.log10(leg / settling)
+    growing = settling * np.logspace(0, decades, int(np.ceil(decades * _STEPS_A_DECADE)) + 1)
+    growing[-1] = leg
+    return np.concatenate([np.arange(1, settling + 1), growing[1:]])
+
+
+def linear(largest: float, rate: float) -> Path:
+    """At a constant rate to the largest indentation [m] or force [N]; rate per second."""
+    return Path(np.array([0, largest / rate]), np.array([0, largest]))
 
 
 def quadratic(max_indentation: float, acceleration: float) -> Path:
     """At a constant acceleration [m/s2] from rest; the thesis' C is half of it."""
     duration = np.sqrt(2 * max_indentation / acceleration)
-    return Path(np.array([0, duration]), np.array([0, max_indentation]), power=2)
+    return Path(np.array([0, duration]), np.array([0, max_indentation]), accelerated)
+
+
+def sinusoidal(largest: float, lowest: float, period: float) -> Path:
+    """One period [s] of a cosine from `lowest` to `largest` and back (thesis, Fig. 49)."""
+    return Path(np.array([0, 0.5, 1]) * period, np.array([lowest, largest, lowest]), swinging)
 
 
 def load_hold_unload(
-    max_indentation: float,
-    rate: float,
-    hold_time: float,
-    unloading_rate: float,
-    retraction: float,
+    largest: float, rate: float, hold_time: float, unloading_rate: float, retraction: float
 ) -> Path:
-    """Down at `rate` [m/s], held for `hold_time` [s], up at `unloading_rate` [m/s].
+    """In straight lines to the largest indentation [m] or force [N], held [s], and back.
 
-    The road ends `retraction` [m] above where it first touched, so that every bond can part.
+    Rates are per second. The road ends `retraction` beyond where it first touched, so that every
+    bond can part.
     """
-    legs = np.array([0, max_indentation / rate, hold_time, 0])
-    legs[3] = (max_indentation + retraction) / unloading_rate
-    knots = np.array([0, max_indentation, max_indentation, -retraction])
+    legs = np.array([0, largest / rate, hold_time, (largest + retraction) / unloading_rate])
+    knots = np.array([0, largest, largest, -retraction])
     kept = np.concatenate([[True], legs[1:] > 0])
     return Path(np.cumsum(legs)[kept], knots[kept])
+
+
+def table(time: np.ndarray, drive: np.ndarray) -> Path:
+    """The user's own: straight lines between times [s] and indentations [m] or forces [N].
+
+    Raises
+    ------
+    InputError : times that do not increase from 0, or numbers that are not finite.
+    """
+    if not (np.all(np.isfinite(time)) and np.all(np.isfinite(drive))):
+        raise InputError("loading.table must hold finite numbers, got some that are not")
+    if time.size < 2:
+        raise InputError(f"loading.table must have at least 2 rows, got {time.size}")
+    if not time[0] >= 0:
+        raise InputError(f"loading.table must begin at a time of 0 s or later, got {time[0]:g} s")
+    back = np.flatnonzero(np.diff(time) <= 0)
+    if back.size:
+        row = int(back[0])
+        raise InputError(
+            f"loading.table must increase in time, got {time[row]:g} s and then "
+            f"{time[row + 1]:g} s in row {row + 2}"
+        )
+    if time[0] > 0:
+        time, drive = np.append(0.0, time), np.append(drive[0], drive)
+    return Path(time, drive, on_grid=True)
+
+
+def read_table(path: str | FilePath) -> Path:
+    """A table from a text file of two columns: time [s], indentation [m] or force [N].
+
+    White space, comma or semicolon between the numbers, # for comments.
+
+    Raises
+    ------
+    InputError : a file that is absent, too large or not of that kind, and as `table`.
+    """
+    path = FilePath(path).expanduser()
+    try:
+        size = path.stat().st_size
+        if size > MAX_TABLE_BYTES:
+            raise InputError(
+                f"loading.table must have at most {MAX_TABLE_BYTES / 1e6:.0f} MB, "
+                f"got {size / 1e6:.0f} MB"
+            )
+        lines = path.read_text(encoding="utf-8-sig").translate(str.maketrans(",;", "  "))
+        rows = [line.partition("#")[0].split() for line in lines.splitlines()]
+        columns = np.array([row for row in rows if row], float)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise InputError(f"loading.table must be readable, got {path.name}: {reason}") from None
+    except ValueError:
+        columns = np.empty(0)
+    if columns.ndim != 2 or columns.shape[1] != 2:
+        raise InputError(f"loading.table must hold two columns of numbers, got {path.name}")
+    return table(columns[:, 0], columns[:, 1])

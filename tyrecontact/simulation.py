@@ -4,15 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
 from tyrecontact import assembly
 from tyrecontact.contact import newton
-from tyrecontact.contact.adhesion import ElementState, ReleaseForce
-from tyrecontact.contact.equilibrium import Bodies, Equilibrium, Solver, State, advance
+from tyrecontact.contact.bonds import ElementState
+from tyrecontact.contact.equilibrium import (
+    Bodies,
+    Equilibrium,
+    NewtonMethod,
+    Solver,
+    State,
+    advance,
+)
 from tyrecontact.contact.lattice import LatticeKernel
+from tyrecontact.contact.machine import Moment
+from tyrecontact.contact.stability import StabilityMargin
+from tyrecontact.loading import Schedule
 from tyrecontact.results import STOPPED, Record, Results, Step
 from tyrecontact.road import heights
 from tyrecontact.road.heights import Patch
@@ -43,17 +53,19 @@ class Simulation:
         self.time_step = 1 / (numerics.sampling_frequency * numerics.time_resolution_factor)
         assembly.require_consistent(self.scenario)
         path = assembly.loading_path(self.scenario.loading)
-        self.time, self.indentation = path.sampled(self.time_step)
+        stepped = numerics.long_holds == "stepped"
+        memory = np.inf if stepped else numerics.lags / numerics.sampling_frequency
+        self.schedule = path.schedule(self.time_step, memory)
 
     def __len__(self) -> int:
-        return len(self.time)
+        return len(self.schedule.time)
 
     def __iter__(self) -> Iterator[Step]:
-        bodies, solver = self.bodies, self.solver
+        bodies, solver, margin = self.bodies, self.solver, StabilityMargin(self.kernel)
         state = State.at_rest(bodies)
-        for index, indentation in enumerate(self.indentation):
-            equilibrium = advance(bodies, solver, state, float(indentation))
-            step = self._step(index, equilibrium)
+        for index, moment in enumerate(self._moments()):
+            equilibrium = advance(bodies, solver, state, moment)
+            step = self._step(index, equilibrium, state, margin.of(equilibrium.stiffness))
             step = replace(step, stop_reason=self._reason_to_stop(step, state))
             yield step
             if step.stop_reason:
@@ -85,12 +97,13 @@ class Simulation:
             max_iterations=100,
         )  # fmt: skip
         other = Simulation(still)
-        travelled = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(self.indentation)))])
+        drive = self.schedule.drive
+        travelled = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(drive)))])
         marks = np.linspace(0, travelled[-1], steps)
         spaced = np.searchsorted(travelled, marks * (1 - 1e-12))
-        turns = np.flatnonzero(np.diff(np.sign(np.diff(self.indentation)))) + 1
+        turns = np.flatnonzero(np.diff(np.sign(np.diff(drive)))) + 1
         kept = np.unique(np.concatenate([spaced, turns, [len(self) - 1]]))
-        other.time, other.indentation = self.time[kept], self.indentation[kept]
+        other.schedule = Schedule(self.schedule.time[kept], drive[kept], np.ones(kept.size, bool))
         other.patch, other.springs = self.patch, self.springs
         return other
 
@@ -117,39 +130,67 @@ class Simulation:
     def bodies(self) -> Bodies:
         """Road and tread, ready for the solver."""
         tops = heights.element_tops(self.patch, self.scenario.road.elements).ravel()
-        law = ReleaseForce(self.scenario.adhesion.release_force)
-        return Bodies(LatticeKernel(self.kernel), self.springs, law, tops - tops.max())
+        law = assembly.adhesion_law(self.scenario.adhesion, self.springs)
+        machine = assembly.machine(self.scenario.loading)
+        return Bodies(LatticeKernel(self.kernel), self.springs, law, tops - tops.max(), machine)
 
     @cached_property
     def solver(self) -> Solver:
         """How each step is solved."""
         numerics = self.scenario.numerics
         return Solver(
-            method=newton.robust if numerics.solver == "robust" else newton.thesis,
+            method=newton.robust if numerics.solver == "robust" else self._thesis_method,
             tolerance=numerics.tolerance * self.scenario.loading.max_indentation,
             max_iterations=numerics.max_iterations,
             extrapolates=numerics.initial_guess == "extrapolated",
         )
 
-    def _step(self, index: int, equilibrium: Equilibrium) -> Step:
+    @property
+    def _thesis_method(self) -> NewtonMethod:
+        if self.scenario.numerics.jacobian == "as-printed":
+            return partial(newton.thesis, as_printed=True)
+        return newton.thesis
+
+    def _moments(self) -> Iterator[Moment]:
+        schedule = self.schedule
+        durations = np.diff(schedule.time, prepend=-self.time_step)
+        for drive, duration, at_rest in zip(
+            schedule.drive, durations, schedule.at_rest, strict=True
+        ):
+            yield Moment(float(drive), float(duration), bool(at_rest))
+
+    def _step(self, index: int, equilibrium: Equilibrium, state: State, margin: float) -> Step:
         solution, shape = equilibrium.solution, self.bodies.kernel.shape
-        state = equilibrium.state
-        touching = (state == ElementState.COMPRESSED) | (state == ElementState.TENSION)
+        element, bonds, energy = equilibrium.state, state.bonds, state.energy
+        touching = (element == ElementState.COMPRESSED) | (element == ElementState.TENSION)
+        # an adhering contact keeps its largest area, a bare one has that of its compression
+        holding = np.where(bonds.bonded, bonds.reach, np.maximum(bonds.compression, 0.0))
+        radius = np.where(touching, self.springs.radius(holding), 0.0)
         return Step(
             index=index,
-            time=float(self.time[index]),
-            indentation=float(self.indentation[index]),
+            time=float(self.schedule.time[index]),
+            indentation=equilibrium.indentation,
             contact_force=float(solution.force.sum()),
+            drive=float(self.schedule.drive[index]),
             iterations=equilibrium.iterations,
             residual=solution.residual,
             converged=solution.converged,
+            stability_margin=margin,
             contacts=int(touching.sum()),
             releases=equilibrium.releases,
+            drive_work=energy.drive,
+            spring_energy=energy.springs,
+            machine_energy=energy.machine,
+            layer_work=energy.layer,
+            released_energy=energy.released,
+            algorithmic_loss=energy.algorithmic,
             element_force=solution.force.reshape(shape).copy(),
             # copies, since the solver goes on with its own
             compression=solution.compression.reshape(shape).copy(),
             displacement=equilibrium.displacement.reshape(shape).copy(),
-            state=state.reshape(shape),
+            contact_area=(np.pi * radius**2).reshape(shape).astype(np.float32),
+            age=bonds.age.reshape(shape).astype(np.float32),
+            state=element.reshape(shape),
         )
 
     def _reason_to_stop(self, step: Step, state: State) -> str:
@@ -162,7 +203,7 @@ class Simulation:
             )
         if self.scenario.numerics.solver == "thesis":
             return ""  # it goes on, whatever comes: that is what it is there to show
-        if state.creates_energy:
+        if state.energy.is_created:
             return (
                 f"unstable at step {step.index}: the tread has given back more energy than it was "
                 f"given, which no tread can; try {self._advice()}"

@@ -7,7 +7,7 @@ from bokeh.models import ColorBar, ColumnDataSource, LinearColorMapper
 from bokeh.palettes import Cividis256
 from bokeh.plotting import figure
 
-from tyrecontact.contact.adhesion import ElementState
+from tyrecontact.contact.bonds import ElementState
 from tyrecontact.results import Record
 
 from .style import ORANGE, VERMILION, hover

@@ -8,6 +8,7 @@ import pytest
 from tyrecontact.contact.adhesion import ReleaseForce
 from tyrecontact.contact.equilibrium import Bodies, Solver, State, advance
 from tyrecontact.contact.lattice import LatticeKernel
+from tyrecontact.contact.machine import Moment
 from tyrecontact.contact.newton import robust
 from tyrecontact.road.springs import Springs, from_heights
 from tyrecontact.tread.kernels import Kernel
@@ -41,7 +42,7 @@ def work(
     state = State.at_rest(bodies)
     done, held, last = [0.0], [0.0], path[0]
     for indentation in path:
-        solution = advance(bodies, SOLVER, state, indentation).solution
+        solution = advance(bodies, SOLVER, state, Moment(indentation, 1 / 51200)).solution
         done.append(done[-1] + solution.force.sum() * (indentation - last))
         active = solution.force != 0
         held.append(float((springs.energy(np.abs(solution.compression)) * active).sum()))

@@ -8,13 +8,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from tyrecontact.contact.adhesion import ElementState, ReleaseForce
+from tyrecontact.contact.adhesion import ReleaseForce
+from tyrecontact.contact.bonds import ElementState
 from tyrecontact.contact.equilibrium import Bodies, Equilibrium, Solver, State, advance
 from tyrecontact.contact.lattice import LatticeKernel
+from tyrecontact.contact.machine import Moment
 from tyrecontact.contact.newton import robust, thesis
 from tyrecontact.road.springs import Springs
 
-TOLERANCE = 1e-13
+TOLERANCE, TIME_STEP = 1e-13, 1 / 51200
 SOLVER = Solver(robust, TOLERANCE, 50, extrapolates=True)
 #: press to 0.08 mm in 0.8 ms, and pull off
 PATH = np.concatenate([np.linspace(0, 8e-5, 41), np.linspace(8e-5, -1.2e-4, 101)[1:]])
@@ -41,9 +43,9 @@ def bodies(tread: LatticeKernel, rough_springs: Springs, tops: np.ndarray) -> Bo
 def run(bodies: Bodies, solver: Solver = SOLVER, path: np.ndarray = PATH) -> list[Record]:
     state, records = State.at_rest(bodies), []
     for indentation in path:
-        before = state.bonded.copy()
-        step = advance(bodies, solver, state, indentation)
-        records.append(Record(step, before, state.bonded.copy()))
+        before = state.bonds.bonded.copy()
+        step = advance(bodies, solver, state, Moment(indentation, TIME_STEP))
+        records.append(Record(step, before, state.bonds.bonded.copy()))
     return records
 
 
@@ -161,8 +163,8 @@ def test_a_step_that_is_not_solved_says_so_and_time_goes_on(bodies: Bodies) -> N
 
 def test_the_first_touch_is_where_the_highest_top_is(bodies: Bodies) -> None:
     state = State.at_rest(bodies)
-    assert advance(bodies, SOLVER, state, 0.0).solution.force.sum() == 0
-    force = advance(bodies, SOLVER, state, 5e-7).solution.force
+    assert advance(bodies, SOLVER, state, Moment(0.0, TIME_STEP)).solution.force.sum() == 0
+    force = advance(bodies, SOLVER, state, Moment(5e-7, TIME_STEP)).solution.force
     np.testing.assert_array_equal(np.flatnonzero(force), [bodies.tops.argmax()])
 
 

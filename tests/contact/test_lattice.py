@@ -38,12 +38,12 @@ def test_products_are_those_of_the_dense_matrix(
     monkeypatch.setattr(lattice, "_DENSE_UP_TO", dense_up_to)
     tread, force = LatticeKernel(kernel()), forces(1)[0]
     expected = displacement(kernel().values[0], force)
-    np.testing.assert_allclose(tread.instant(force.ravel()), expected.ravel(), atol=1e-13)
+    np.testing.assert_allclose(tread.now.displacement(force.ravel()), expected.ravel(), atol=1e-13)
 
 
 def test_the_matrix_between_some_elements() -> None:
     values = kernel().values[0]
-    matrix = LatticeKernel(kernel()).instant_matrix(np.array([0, 5, 11]))  # (0,0) (1,1) (2,3)
+    matrix = LatticeKernel(kernel()).now.matrix(np.array([0, 5, 11]))  # (0,0) (1,1) (2,3)
     expected = [
         [values[0, 0], values[1, 1], values[2, 3]],
         [values[1, 1], values[0, 0], values[1, 2]],
@@ -60,7 +60,7 @@ def test_spectra_multiply_to_displacements() -> None:
 
 
 def test_self_compliance_is_that_of_the_same_step() -> None:
-    assert LatticeKernel(kernel()).self_compliance == kernel().values[0, 0, 0]
+    assert LatticeKernel(kernel()).now.self_compliance == kernel().values[0, 0, 0]
 
 
 @pytest.mark.parametrize("lags", [2, 3, LAGS])

@@ -1,12 +1,14 @@
 """From settings to bodies: the road, its springs, the tread and the loading of a scenario."""
 
 from tyrecontact.assembly.checks import require_consistent
-from tyrecontact.assembly.process import loading_path
+from tyrecontact.assembly.process import adhesion_law, loading_path, machine
 from tyrecontact.assembly.road import road_patch, roughness_springs
 from tyrecontact.assembly.tread import tread_kernel, tread_layers
 
 __all__ = [
+    "adhesion_law",
     "loading_path",
+    "machine",
     "require_consistent",
     "road_patch",
     "roughness_springs",

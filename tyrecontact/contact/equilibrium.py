@@ -1,18 +1,21 @@
-"""One time step: the equilibrium of road and tread, bonds that break included."""
+"""One time step: the equilibrium of road, tread and machine, bonds that break included."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from tyrecontact.contact.adhesion import ElementState, Interface, ReleaseForce
-from tyrecontact.contact.lattice import History, LatticeKernel
+from tyrecontact.contact.adhesion import Law
+from tyrecontact.contact.bonds import Bonds, ElementState, Outcome
+from tyrecontact.contact.energy import Energy, Ledger
+from tyrecontact.contact.lattice import Compliance, History, LatticeKernel
+from tyrecontact.contact.machine import Machine, Moment, Place, machine_energy
 from tyrecontact.contact.newton import Solution, better_start, robust
 from tyrecontact.road.springs import Springs
 
-#: kernel, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
+#: compliance, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
 NewtonMethod = Callable[..., Solution]
 
 
@@ -22,14 +25,15 @@ class Bodies:
 
     Attributes
     ----------
-    kernel : of the tread.  springs, law : of the interface.
+    kernel : of the tread.  springs, law : of the interface.  machine : that moves the road.
     tops : heights of the element tops below the highest one [m], <= 0, shape (elements,).
     """
 
     kernel: LatticeKernel
     springs: Springs
-    law: ReleaseForce
+    law: Law
     tops: np.ndarray
+    machine: Machine = field(default_factory=Machine)
 
 
 @dataclass(frozen=True)
@@ -49,32 +53,25 @@ class State:
     Attributes
     ----------
     history : past forces and what they still do to the tread.
-    bonded : which elements can carry tension, shape (elements,).
-    compression, earlier_compression : [m] at the end of the last step and of the one before.
+    bonds : what the elements of the interface remember.
+    place : where the machine has moved the road.
+    earlier_compression : [m] one step before the last, shape (elements,).
     displacement : of the tread [m] at the end of the last step, shape (elements,).
-    work : work done on the tread since the start [J].
-    turnover : the same, every step counted as positive [J].
+    energy : the account since the start.
     """
 
     history: History
-    bonded: np.ndarray
-    compression: np.ndarray
+    bonds: Bonds
+    place: Place
     earlier_compression: np.ndarray
     displacement: np.ndarray
-    work: float = 0.0
-    turnover: float = 0.0
+    energy: Energy
 
     @classmethod
     def at_rest(cls, bodies: Bodies) -> State:
-        count, tops = bodies.tops.size, bodies.tops
-        return cls(
-            History(bodies.kernel), np.zeros(count, bool), tops.copy(), tops.copy(), np.zeros(count)
-        )
-
-    @property
-    def creates_energy(self) -> bool:
-        """Whether the tread has given back more than it was given, which no real one can."""
-        return self.work < -1e-6 * self.turnover
+        """The road at first touch, and everything still."""
+        bonds, still = Bonds.none(bodies.tops.copy()), np.zeros(bodies.tops.size)
+        return cls(History(bodies.kernel), bonds, Place(), bonds.compression, still, Energy())
 
 
 @dataclass(frozen=True)
@@ -84,75 +81,107 @@ class Equilibrium:
     Attributes
     ----------
     solution : of the last Newton run of the step.
+    indentation : of the road into the tread [m].
     displacement : of the tread [m], past forces included, shape (elements,).
     state : `ElementState` of each element.
     iterations : of the Newton run that needed the most.
     releases : number of bonds that broke.
+    stiffness : of each element [N/m].
     """
 
     solution: Solution
+    indentation: float
     displacement: np.ndarray
     state: np.ndarray
     iterations: int
     releases: int
+    stiffness: np.ndarray
 
 
-def advance(bodies: Bodies, solver: Solver, state: State, indentation: float) -> Equilibrium:
-    """Solve one step at a given indentation [m] and move `state` on to its end.
+def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equilibrium:
+    """Solve one step and move `state` on to its end.
 
-    Bonds that the solution overloads are broken, all at once, and the step is solved again
-    until none is.
+    Bonds that do not bear the solution are broken, all at once, and the step is solved again
+    until all bear it.
     """
-    past = state.history.displacement().ravel()
-    target = indentation + bodies.tops - past
-    bonded, guess = state.bonded, _first_guess(bodies, solver, state, target)
-    iterations = 0
+    past = np.zeros(bodies.tops.size) if moment.at_rest else state.history.displacement().ravel()
+    free, shared = bodies.machine.response(state.place, moment)
+    layer = bodies.kernel.at_rest if moment.at_rest else bodies.kernel.now
+    compliance, target = layer.with_shared(shared), free + bodies.tops - past
+    bonds, iterations = state.bonds, 0
+    guess = _first_guess(bodies, solver, state, compliance, target)
     while True:
-        interface = Interface(bodies.springs, bonded)
+        interface = bodies.law.interface(bodies.springs, bonds)
         solution = solver.method(
-            bodies.kernel,
-            interface,
-            target,
-            guess,
-            solver.tolerance,
-            solver.max_iterations,
+            compliance, interface, target, guess, solver.tolerance, solver.max_iterations
         )
         iterations = max(iterations, solution.iterations)
-        broken = bodies.law.overloaded(solution.force, bonded)
+        outcome = Outcome(solution.compression, solution.force, moment.time_step)
+        broken = bodies.law.broken(bodies.springs, bonds, outcome)
         if not solution.converged or not broken.any():
             break  # forces of a solve that failed break no bond
-        bonded, guess = bonded & ~broken, solution.compression
-    released = state.bonded & ~bonded
-    state.history.remember(solution.force.reshape(bodies.kernel.shape))
-    state.bonded = bodies.law.bonds(solution.compression, bonded)
-    state.earlier_compression, state.compression = state.compression, solution.compression
-    displacement = past + solution.displacement
-    work = float(solution.force @ (displacement - state.displacement))
-    state.displacement = displacement
-    state.work, state.turnover = state.work + work, state.turnover + abs(work)
+        bonds, guess = bonds.without(broken), solution.compression
+    released = state.bonds.bonded & ~bonds.bonded
+    rigid = shared * solution.force.sum()
+    displacement = past + solution.displacement - rigid
+    _move_on(bodies, state, moment, bonds, outcome, displacement, free - rigid)
     return Equilibrium(
         solution,
+        free - rigid,
         displacement,
-        _element_states(solution.compression, bonded, released),
+        _element_states(solution.force, state.bonds.bonded, released),
         iterations,
         int(released.sum()),
+        interface.force_and_stiffness(solution.compression)[1],
     )
 
 
-def _first_guess(bodies: Bodies, solver: Solver, state: State, target: np.ndarray) -> np.ndarray:
+def _first_guess(
+    bodies: Bodies, solver: Solver, state: State, compliance: Compliance, target: np.ndarray
+) -> np.ndarray:
     """Where Newton's method begins: the last compression [m], or its extrapolation."""
+    last = state.bonds.compression
     if not solver.extrapolates:
-        return state.compression
-    guess = 2 * state.compression - state.earlier_compression
+        return last
+    guess = 2 * last - state.earlier_compression
     if solver.method is not robust:
         return guess
-    interface = Interface(bodies.springs, state.bonded)
-    return better_start(bodies.kernel, interface, target, guess, state.compression)
+    interface = bodies.law.interface(bodies.springs, state.bonds)
+    return better_start(compliance, interface, target, guess, last)
 
 
-def _element_states(
-    compression: np.ndarray, bonded: np.ndarray, released: np.ndarray
-) -> np.ndarray:
+def _move_on(
+    bodies: Bodies,
+    state: State,
+    moment: Moment,
+    bonds: Bonds,
+    outcome: Outcome,
+    displacement: np.ndarray,
+    indentation: float,
+) -> None:
+    """Take the state to the end of the step: bonds, machine, energies, memory of the tread."""
+    law, springs, force = bodies.law, bodies.springs, outcome.force
+    after = law.after(springs, bonds, outcome)
+    place = state.place.moved(indentation, moment)
+    ledger = Ledger(
+        law.interface(springs, state.bonds),
+        law.interface(springs, bonds),
+        law.interface(springs, after),
+        state.bonds.compression,
+        outcome.compression,
+        place.indentation - state.place.indentation - (displacement - state.displacement),
+        force,
+    )
+    machine = machine_energy(bodies.machine, state.place, place, moment, float(force.sum()))
+    layer_work = float(force @ (displacement - state.displacement))
+    state.energy = state.energy.plus(ledger.energy(layer_work, machine))
+    remember = state.history.settle if moment.at_rest else state.history.remember
+    remember(force.reshape(bodies.kernel.shape))
+    state.earlier_compression = state.bonds.compression
+    state.bonds, state.place, state.displacement = after, place, displacement
+
+
+def _element_states(force: np.ndarray, bonded: np.ndarray, released: np.ndarray) -> np.ndarray:
     state = np.where(bonded, ElementState.TENSION, ElementState.APART)
     state = np.where(released, ElementState.RELEASED, state)
-    return np.where(compression > 0, ElementState.COMPRESSED, state).astype(np.int8)
+    return np.where(force > 0, ElementState.COMPRESSED, state).astype(np.int8)

@@ -23,8 +23,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tyrecontact.contact.adhesion import Interface
-from tyrecontact.contact.lattice import LatticeKernel
+from tyrecontact.contact.interface import Interface
+from tyrecontact.contact.lattice import Compliance
 
 #: relative accuracy of the linear solve: what Newton makes up for, and as good as a direct one
 _INEXACT, _EXACT = 1e-4, 1e-11
@@ -55,7 +55,7 @@ class Solution:
 
 
 def robust(
-    kernel: LatticeKernel,
+    compliance: Compliance,
     interface: Interface,
     target: np.ndarray,
     start: np.ndarray,
@@ -66,15 +66,15 @@ def robust(
 
     Parameters
     ----------
-    kernel : g_0 and its products.  interface : F, K and U.
+    compliance : g_0.  interface : F, K and U.
     target : b [m], shape (elements,).  start : first guess of d [m], same shape.
     tolerance : largest |f| accepted [m].
     """
-    point = _Point.at(kernel, interface, target, start)
+    point = _Point.at(compliance, interface, target, start)
     iterations, stuck = 0, False
     while not point.residual <= tolerance and iterations < max_iterations and not stuck:
-        step = _newton_step(kernel, point.stiffness, point.imbalance, _INEXACT)
-        lower = _descend(kernel, interface, target, point, step)
+        step = _newton_step(compliance, point.stiffness, point.imbalance, _INEXACT)
+        lower = _descend(compliance, interface, target, point, step)
         point, stuck = lower or point, lower is None
         iterations += 1
     return Solution(
@@ -84,7 +84,7 @@ def robust(
 
 
 def better_start(
-    kernel: LatticeKernel,
+    compliance: Compliance,
     interface: Interface,
     target: np.ndarray,
     guess: np.ndarray,
@@ -94,10 +94,10 @@ def better_start(
 
     An extrapolation may reach far into springs that turn stiff, from where there is no way back.
     """
-    point = _Point.at(kernel, interface, target, guess)
+    point = _Point.at(compliance, interface, target, guess)
     if point.residual <= 0.01 * np.abs(target).max():
         return guess
-    other = _Point.at(kernel, interface, target, last)
+    other = _Point.at(compliance, interface, target, last)
     return min(point, other, key=lambda choice: choice.energy(interface, target)).compression
 
 
@@ -114,13 +114,13 @@ class _Point:
     @classmethod
     def at(
         cls,
-        kernel: LatticeKernel,
+        compliance: Compliance,
         interface: Interface,
         target: np.ndarray,
         compression: np.ndarray,
     ) -> _Point:
         force, stiffness = interface.force_and_stiffness(compression)
-        displacement = kernel.instant(force)
+        displacement = compliance.displacement(force)
         imbalance = target - displacement - compression
         return cls(compression, force, stiffness, displacement, imbalance)
 
@@ -135,15 +135,15 @@ class _Point:
 
 
 def _newton_step(
-    kernel: LatticeKernel, stiffness: np.ndarray, imbalance: np.ndarray, accuracy: float
+    compliance: Compliance, stiffness: np.ndarray, imbalance: np.ndarray, accuracy: float
 ) -> np.ndarray:
     """Delta of (1 + g_0 K) Delta = f, from the symmetric form."""
     root = np.sqrt(stiffness)
 
     def product(v: np.ndarray) -> np.ndarray:
-        return kernel.instant(root * v)
+        return compliance.displacement(root * v)
 
-    diagonal = 1 + stiffness * kernel.self_compliance
+    diagonal = 1 + stiffness * compliance.self_compliance
     v = _conjugate_gradients(lambda v: v + root * product(v), root * imbalance, diagonal, accuracy)
     return imbalance - product(v)
 
@@ -176,7 +176,7 @@ def _conjugate_gradients(
 
 
 def _descend(
-    kernel: LatticeKernel,
+    compliance: Compliance,
     interface: Interface,
     target: np.ndarray,
     point: _Point,
@@ -191,7 +191,7 @@ def _descend(
     rounding = 1e-14 * abs(before)
     for halving in range(_HALVINGS):
         share = 0.5**halving
-        trial = _Point.at(kernel, interface, target, point.compression + share * step)
+        trial = _Point.at(compliance, interface, target, point.compression + share * step)
         if halving == 0 and trial.residual < 0.5 * point.residual:
             return trial
         if trial.energy(interface, target) <= before + 1e-4 * share * slope + rounding:
@@ -200,23 +200,25 @@ def _descend(
 
 
 def thesis(
-    kernel: LatticeKernel,
+    compliance: Compliance,
     interface: Interface,
     target: np.ndarray,
     start: np.ndarray,
     tolerance: float,
     max_iterations: int,
+    as_printed: bool = False,
 ) -> Solution:
     """The thesis' plain Newton iteration on the elements in contact: full steps, no guard.
 
     J_ij = -g_0[i, j] k_j - delta_ij on the elements in contact. Elements that come into
-    compression join between iterations; none leaves within the step. Parameters as `robust`.
+    compression join between iterations; none leaves within the step. Parameters as `robust`;
+    `as_printed` takes the Jacobian of the thesis' Eq. 8, k_i in place of k_j, which diverges.
     """
     touching = (start > 0) | interface.bonded
     d, iterations = start, 0
     while True:
         force, stiffness = interface.force_and_stiffness(np.where(touching, d, 0.0))
-        displacement = kernel.instant(force)
+        displacement = compliance.displacement(force)
         reach = target - displacement
         d = np.where(touching, d, reach)
         joining = ~touching & (reach > 0)
@@ -228,7 +230,21 @@ def thesis(
         if joining.any():
             touching = touching | joining
             force, stiffness = interface.force_and_stiffness(np.where(touching, d, 0.0))
-            imbalance = target - kernel.instant(force) - d
-        step = _newton_step(kernel, stiffness, imbalance, _EXACT)
+            imbalance = target - compliance.displacement(force) - d
+        if as_printed:
+            step = _step_as_printed(compliance, stiffness, imbalance, touching)
+        else:
+            step = _newton_step(compliance, stiffness, imbalance, _EXACT)
         d = d + np.where(touching, step, 0.0)
         iterations += 1
+
+
+def _step_as_printed(
+    compliance: Compliance, stiffness: np.ndarray, imbalance: np.ndarray, touching: np.ndarray
+) -> np.ndarray:
+    """Delta of (1 + K g_0) Delta = f on the elements in contact."""
+    active = np.flatnonzero(touching)
+    jacobian = np.eye(active.size) + stiffness[active, None] * compliance.matrix(active)
+    step = np.zeros_like(imbalance)
+    step[active] = np.linalg.solve(jacobian, imbalance[active])
+    return step

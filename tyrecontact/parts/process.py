@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from tyrecontact.settings import Choice, Count, Part, Quantity, Text
 
 _UM, _MM, _MS = ("µm", 1e6), ("mm", 1e3), ("ms", 1e3)
@@ -78,7 +76,7 @@ class Adhesion(Part):
         0.3, (0.0, 2.0), "", "Growth of the release force with the rate (multiplicative)"
     )
     reference_rate = Quantity(
-        5e-4, (1e-9, math.inf), "m/s", "Rate at which it has doubled; inf: no growth", _RATE
+        5e-4, (0.0, 10.0), "m/s", "Rate at which it has doubled; 0: the rate does not matter", _RATE
     )
     bond_stress = Quantity(
         0.05e6, (1.0, 1e9), "Pa", "Stress that speeds breaking e times (bonds)", ("MPa", 1e-6)
@@ -90,7 +88,7 @@ class Adhesion(Part):
         0.55, (0.1, 2.0), "", "Gent and Schultz' exponent n (receding contact)"
     )
     crack_speed = Quantity(
-        1e-7, (1e-12, math.inf), "m/s", "Speed v* at twice the work of adhesion", ("µm/s", 1e6)
+        1e-7, (1e-12, 1e6), "m/s", "Speed v* at twice the work of adhesion", ("µm/s", 1e6)
     )
 
 

@@ -11,7 +11,7 @@ from app.views.force import ForceView
 from app.views.headline import HeadlineView, describe, three_digits
 from app.views.iterations import IterationsView
 from app.views.style import horizontal
-from tyrecontact.contact.adhesion import ElementState
+from tyrecontact.contact.bonds import ElementState
 
 
 def test_force_draws_every_row_once_and_the_baseline(finished: Run) -> None:
@@ -56,7 +56,7 @@ def test_both_plots_change_axis_with_label_and_range(finished: Run) -> None:
     simulation = finished.simulation
     for view in (ForceView(), IterationsView()):
         for name, label in (("time", "Time [ms]"), ("indentation", "Indentation [µm]")):
-            axis = horizontal(name, simulation.time, simulation.indentation)
+            axis = horizontal(name, simulation.schedule.time, simulation.schedule.drive)
             view.show_against(axis)
             assert view.root.xaxis[0].axis_label == label
             assert {glyph.glyph.x for glyph in view._glyphs} == {axis.column}

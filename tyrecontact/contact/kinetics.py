@@ -17,7 +17,7 @@ from tyrecontact.road.springs import Springs
 _LEAST_FRACTION = 0.01
 #: e to this is the largest rate that is told from infinity
 _LARGEST_EXPONENT = 700.0
-_HALVINGS = 50
+_HALVINGS = 40
 #: places where a receding contact is looked at for rest
 _PLACES = 33
 
@@ -113,10 +113,12 @@ class RecedingContact:
 
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         opening = self._opening(springs, bonds, outcome)
-        gone = np.zeros(opening.shape, bool)
+        if opening.any():  # few can shrink to nothing in a step; only those are looked into
+            left = springs.radius(bonds.reach) - self._lost(springs, bonds, outcome)
+            opening &= left <= springs.radius(np.zeros_like(left))
         if opening.any():
-            gone[opening] = self._receded(springs, bonds, outcome, opening) <= 0
-        return gone
+            opening[opening] = self._receded(springs, bonds, outcome, opening) <= 0
+        return opening
 
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
         bonded = bonds.bonded | (outcome.force > 0)
@@ -138,13 +140,17 @@ class RecedingContact:
         self, springs: Springs, bonds: Bonds, outcome: Outcome, opening: np.ndarray
     ) -> np.ndarray:
         """Compression of the area that is left [m] of the opening contacts; 0 where none is."""
+        left = (springs.radius(bonds.reach) - self._lost(springs, bonds, outcome))[opening]
         springs = springs.take(np.flatnonzero(opening))
         start, depth = bonds.reach[opening], outcome.compression[opening]
-        tough = self.toughness(bonds)[opening]
-        excess = _energy_release_rate(springs, start, depth) / tough - 1
-        lost = self.crack_speed * excess ** (1 / self.crack_exponent) * outcome.time_step
-        end = _at_radius(springs, springs.radius(start) - lost, start)
-        return _first_rest(springs, start, end, depth, tough)
+        end = _at_radius(springs, left, start)
+        return _first_rest(springs, start, end, depth, self.toughness(bonds)[opening])
+
+    def _lost(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
+        """How far the crack would move in the step at the speed it has [m]."""
+        release = _energy_release_rate(springs, bonds.reach, outcome.compression)
+        excess = np.maximum(release / self.toughness(bonds) - 1, 0.0)
+        return self.crack_speed * excess ** (1 / self.crack_exponent) * outcome.time_step
 
 
 def _at_radius(springs: Springs, radius: np.ndarray, start: np.ndarray) -> np.ndarray:
@@ -165,6 +171,8 @@ def _first_rest(
     rests = _energy_release_rate(springs, places, depth) <= tough
     rests[0] = False  # it moves there
     found, first = rests.any(axis=0), np.maximum(rests.argmax(axis=0), 1)
+    if not found.any():
+        return end
     column = np.arange(start.size)
     moving, resting = places[first - 1, column], places[first, column]
     for _ in range(_HALVINGS):

@@ -31,6 +31,8 @@ GROUPS = {
 }
 #: settings that the road-file control sets itself
 _OF_ROAD_FILE = {"road.file", "road.pitch", "road.height_unit"}
+#: profiles that need a file of the server's, which no visitor may name
+_OF_FILES = {"table"}
 
 
 class Controls:
@@ -56,7 +58,7 @@ class Controls:
         self.widgets: dict[str, Any] = {}
         self._scales: dict[str, float] = {}
         for path, parameter, value in self.scenario.settings():
-            if path not in _OF_ROAD_FILE:
+            if path not in _OF_ROAD_FILE and not isinstance(parameter, Text):
                 self._add(path, parameter, value)
         self.road_file = RoadFile(self._take_road, refuse)
         self.root = [self._main(), self._folded()]
@@ -79,7 +81,7 @@ class Controls:
         name = MAIN.get(path) or _in_words(parameter.name)
         label = f"{name} [{unit}]" if unit else name
         common = {"label": label, "description": parameter.doc, "sizing_mode": "stretch_width"}
-        if not isinstance(parameter, Choice | Count | Text):
+        if not isinstance(parameter, Choice | Count):
             self._scales[path] = scale
             value = value * scale
         self.widgets[path] = _widget(path, parameter, value, common)
@@ -141,11 +143,10 @@ def _in_words(name: str) -> str:
 
 def _widget(path: str, parameter: param.Parameter, value: Any, common: dict[str, Any]) -> Any:
     if isinstance(parameter, Choice):
-        return pmui.Select(options=parameter.objects, value=value, size="small", **common)
+        options = [name for name in parameter.objects if name not in _OF_FILES]
+        return pmui.Select(options=options, value=value, size="small", **common)
     if path == "numerics.time_resolution_factor":
         return pmui.Select(options=[1, 2, 4], value=value, size="small", **common)
-    if isinstance(parameter, Text):
-        return pmui.TextInput(value=value, size="small", **common)
     low, high = parameter.bounds
     if path == "springs.exchange_count":
         return pmui.EditableIntSlider(

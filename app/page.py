@@ -150,7 +150,7 @@ class Session:
         scenario = presets.get(name)
         self.controls.load(scenario)
         # forth and back on one axis would lie on top of each other
-        returns = scenario.loading.profile == "load-hold-unload"
+        returns = scenario.loading.profile in ("load-hold-unload", "sinusoidal")
         self.axis.value = "time" if returns else "indentation"
         self.caption.object = presets.caption(name)
 

@@ -9,7 +9,7 @@ import pytest
 
 from tyrecontact.contact.lattice import LatticeKernel
 from tyrecontact.road import heights, textures
-from tyrecontact.road.springs import Springs, from_heights
+from tyrecontact.road.springs import Springs, from_heights, linear
 from tyrecontact.tread.kernels import passive
 from tyrecontact.tread.materials import FractionalKelvinVoigt, Layer, NearlyConstantLoss
 
@@ -48,14 +48,5 @@ def tops(element_heights: np.ndarray) -> np.ndarray:
 
 @pytest.fixture(scope="session")
 def linear_springs() -> Callable[[np.ndarray], Springs]:
-    """Springs of constant stiffness [N/m], one an element, as a table of one cell."""
-
-    def make(stiffness: np.ndarray) -> Springs:
-        depth = 1e-4
-        half = np.asarray(stiffness, float) / 2
-        table = np.zeros((half.size, 2, 6))
-        table[:, :, 3] = half[:, None]
-        table[:, 1, 4], table[:, 1, 5] = 2 * half * depth, half * depth**2
-        return Springs(depth, table)
-
-    return make
+    """Springs of constant stiffness [N/m], one an element, under punches of 0.1 mm."""
+    return lambda stiffness: linear(stiffness, 1e-4, 1e-4)

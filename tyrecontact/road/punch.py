@@ -61,6 +61,22 @@ def stiffness_factor(
     return kappa * np.maximum(ratio / _RATIOS[-1], 1.0) ** last_slope
 
 
+def stiffness_exponent(
+    radius_over_thickness: np.ndarray, poissons_ratio: float = 0.5, bonded: bool = False
+) -> np.ndarray:
+    """d ln kappa / d ln(a/h) [-]: 0 on a half-space, towards 3 on a thin incompressible film.
+
+    Parameters and errors as those of `stiffness_factor`, of which it is the derivative. The
+    stiffness of a punch, k = 2 E a kappa / (1 - nu^2), grows with its radius as
+    dk/da = (k / a)(1 + exponent) while the layer's thickness stays.
+    """
+    kappa = stiffness_factor(radius_over_thickness, poissons_ratio, bonded)
+    ratio = np.asarray(radius_over_thickness, float)
+    log_kappa, _ = _table(poissons_ratio)
+    inside = log_kappa(np.log(np.clip(ratio, _RATIOS[0], _RATIOS[-1])), 1)
+    return np.where(ratio < _RATIOS[0], (kappa - 1) / kappa, inside)
+
+
 @lru_cache(maxsize=8)
 def _table(poissons_ratio: float) -> tuple[CubicSpline, float]:
     kappa = np.array([_solve(ratio, poissons_ratio) for ratio in _RATIOS])

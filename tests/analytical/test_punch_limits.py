@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from tyrecontact.road.punch import stiffness_factor
+from tyrecontact.road.punch import stiffness_exponent, stiffness_factor
 
 
-def kappa(ratio: float, poissons_ratio: float = 0.5) -> float:
-    return float(stiffness_factor(np.array(ratio), poissons_ratio))
+def kappa(ratio: float, poissons_ratio: float = 0.5, bonded: bool = False) -> float:
+    return float(stiffness_factor(np.array(ratio), poissons_ratio, bonded))
 
 
 def layer_function(u: np.ndarray, poissons_ratio: float) -> np.ndarray:
@@ -82,3 +82,50 @@ def test_a_thin_compressible_film_is_an_oedometer(poissons_ratio: float) -> None
     excess = stiffness_factor(ratios, poissons_ratio) / film - 1
     assert np.all(excess > 0)
     assert np.all(excess < 0.4 / ratios)  # an edge correction: a fraction of h / a
+
+
+@pytest.mark.parametrize("poissons_ratio", [0.1, 0.3, 0.5])
+def test_a_sticking_punch_on_a_half_space(poissons_ratio: float) -> None:
+    """Mossakovskii's factor ln(3 - 4 nu)(1 - nu) / (1 - 2 nu), 1 if incompressible."""
+    x = 1 - 2 * poissons_ratio
+    expected = (1 - poissons_ratio) * (np.log1p(2 * x) / x if x > 0 else 2)
+    assert kappa(0.0, poissons_ratio, bonded=True) == pytest.approx(expected, rel=1e-12)
+    # the layer adds a share of a / h, of order one; solved for, not put in
+    slope = (kappa(2e-3, poissons_ratio, True) - kappa(1e-3, poissons_ratio, True)) / 1e-3
+    extrapolated = kappa(1e-3, poissons_ratio, True) - 1e-3 * slope
+    assert extrapolated == pytest.approx(expected, abs=5e-6)  # the second order in a / h
+
+
+@pytest.mark.parametrize("poissons_ratio", [0.1, 0.3, 0.5])
+def test_sticking_stiffens(poissons_ratio: float) -> None:
+    ratios = np.geomspace(0.01, 64, 40)
+    sticks = stiffness_factor(ratios, poissons_ratio, bonded=True)
+    slips = stiffness_factor(ratios, poissons_ratio)
+    assert np.all(sticks > slips)
+    if poissons_ratio == 0.5:  # without and with a free upper surface, a film resists 1 : 4
+        assert np.all(np.diff(sticks / slips) > 0)
+        assert sticks[-1] / slips[-1] < 4
+
+
+def test_a_thin_film_between_two_that_stick() -> None:
+    """F = pi E a^4 delta / (2 h^3): kappa = (3 pi / 16)(a / h)^3, but for the edge."""
+    ratios = np.array([10.0, 20, 30, 40, 50, 60])
+    over_film = stiffness_factor(ratios, 0.5, bonded=True) / (3 * np.pi / 16 * ratios**3)
+    assert np.all(np.diff(over_film) < 0)
+    np.testing.assert_allclose((over_film[1:] - 1) * ratios[1:], 1.75, atol=0.1)
+
+
+def test_a_thin_compressible_film_does_not_mind_sticking() -> None:
+    """It is an oedometer either way, but for the edge."""
+    excess = stiffness_factor(np.array([20.0, 60.0]), 0.3, bonded=True)
+    excess /= stiffness_factor(np.array([20.0, 60.0]), 0.3)
+    assert np.all(excess - 1 < 0.02 / np.array([20.0, 60.0]))
+
+
+@pytest.mark.parametrize("bonded", [False, True])
+def test_the_exponent_is_the_derivative(bonded: bool) -> None:
+    ratios, step = np.array([5e-4, 0.01, 0.3, 2.0, 20.0, 100.0]), 1e-4
+    up, down = (stiffness_factor(ratios * (1 + sign * step), 0.5, bonded) for sign in (1, -1))
+    slope = (np.log(up) - np.log(down)) / (np.log1p(step) - np.log1p(-step))
+    # the difference's own error, and where it spans the ends of no cell of the table
+    np.testing.assert_allclose(stiffness_exponent(ratios, 0.5, bonded), slope, rtol=1e-6)

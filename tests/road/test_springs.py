@@ -8,7 +8,7 @@ from scipy.integrate import quad
 
 from tyrecontact.errors import InputError
 from tyrecontact.road.punch import stiffness_factor
-from tyrecontact.road.springs import Springs, exchange_stiffest, from_heights
+from tyrecontact.road.springs import Springs, from_heights
 
 PITCH, MODULUS = 5e-5, 10e6
 COUNT = 30
@@ -115,30 +115,6 @@ def test_flat_elements_among_rough_ones_are_stiff_not_broken() -> None:
     rough, flat = springs.force(np.full(2, springs.depth / 2))
     assert np.isfinite(flat)
     assert flat > rough > 0
-
-
-def test_the_stiffest_springs_get_the_next(springs: Springs) -> None:
-    at, deep = np.full(COUNT, 9e-6), np.full(COUNT, 30e-6)
-    force = springs.force(at)
-    order = np.argsort(-force)
-    source = order.copy()
-    source[:5] = order[5:10]
-    exchanged = exchange_stiffest(springs, 5, 9e-6)
-    np.testing.assert_array_equal(exchanged.force(at)[order], force[source])
-    # the whole spring is exchanged, not its force at one compression
-    np.testing.assert_array_equal(exchanged.force(deep)[order], springs.force(deep)[source])
-
-
-def test_no_exchange_changes_nothing(springs: Springs) -> None:
-    deep = np.full(COUNT, 30e-6)
-    same = exchange_stiffest(springs, 0, 9e-6)
-    np.testing.assert_array_equal(same.force(deep), springs.force(deep))
-
-
-@pytest.mark.parametrize("count", [-1, COUNT // 2 + 1])
-def test_more_than_half_cannot_be_exchanged(springs: Springs, count: int) -> None:
-    with pytest.raises(InputError, match=f"between 0 and {COUNT // 2}, got {count}"):
-        exchange_stiffest(springs, count, 9e-6)
 
 
 @pytest.mark.parametrize("modulus", [0.0, -1.0, np.nan])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from tyrecontact.parts.road import Road
+from tyrecontact.parts.road import Springs as SpringSettings
 from tyrecontact.road import heights, scans, springs, textures
 from tyrecontact.road.heights import Patch
 from tyrecontact.road.springs import Springs
@@ -40,10 +41,31 @@ def road_patch(road: Road) -> Patch:
 
 
 def roughness_springs(patch: Patch, scenario: Scenario) -> Springs:
-    """Springs of all elements of a patch, after the exchange."""
+    """Springs of all elements of a patch: read, exchanged, then simplified."""
     settings, elements = scenario.springs, scenario.road.elements
     blocks = heights.element_heights(patch, elements).reshape(elements**2, -1)
-    original = springs.from_heights(blocks, patch.pitch, settings.youngs_modulus)
-    return springs.exchange_stiffest(
-        original, settings.exchange_count, settings.exchange_compression
+    original = springs.from_heights(
+        blocks,
+        patch.pitch,
+        settings.youngs_modulus,
+        bonded=settings.punch == "no-slip",
+        reading=settings.reading,
+        smoothing=settings.smoothing,
     )
+    exchanged = springs.exchange_stiffest(
+        original,
+        settings.exchange_count,
+        settings.exchange_compression,
+        settings.exchange_ranking,
+    )
+    return _simplified(exchanged, settings)
+
+
+def _simplified(original: Springs, settings: SpringSettings) -> Springs:
+    if settings.simplification == "mean":
+        return springs.mean(original)
+    if settings.simplification == "standard":
+        return springs.standard(original, settings.standard_count)
+    if settings.simplification == "linear":
+        return springs.linearised(original, settings.linear_compression)
+    return original

@@ -64,6 +64,9 @@ class Springs(Part):
         "Each its own; one mean spring; a few standard ones; or linear ones",
     )
     standard_count = Count(4, (1, 64), "Number of standard springs", "springs")
+    linear_compression = Quantity(
+        10e-6, (1e-8, 1e-3), "m", "Compression at which linear springs have the true force", _UM
+    )
     exchange_count = Count(0, (0, 8192), "Stiffest springs exchanged for the next ones", "springs")
     exchange_compression = Quantity(
         9e-6, (1e-8, 1e-3), "m", "Compression at which springs are ranked", _UM

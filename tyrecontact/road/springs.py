@@ -4,72 +4,131 @@ At compression delta an element touches with the area A(delta) of its heights ab
 z_max - delta, taken as one circular punch of radius a = sqrt(A / pi) on a layer as thick as
 what is left, h(delta) = z_max - delta - z_min. With kappa(a / h) of that punch (road/punch.py)
 
-    k(delta) = 2 E a kappa / (1 - nu^2),    F(delta) = int_0^delta k    ("tangent")
+    k_p(delta) = 2 E a kappa / (1 - nu^2),    nu = 1/2,
+
+    F(delta) = int_0^delta k_p    ("tangent": each punch adds to what was pressed before)
+    F(delta) = k_p delta          ("secant": the thesis' wording; a punch that was there always)
 """
 
 from __future__ import annotations
 
-import numpy as np
+from dataclasses import dataclass
 
-from tyrecontact.errors import InputError
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from tyrecontact.errors import InputError, unknown_name
 from tyrecontact.road.punch import stiffness_exponent, stiffness_factor
+from tyrecontact.road.simplification import exchange_stiffest, linearised, mean, standard
+from tyrecontact.road.smoothing import convex_stiffness, polynomial_stiffness
 from tyrecontact.road.spring_tables import Springs, graded, linear, tabulated
 
-__all__ = ["Springs", "exchange_stiffest", "from_heights", "linear"]
+__all__ = [
+    "Springs",
+    "exchange_stiffest",
+    "from_heights",
+    "linear",
+    "linearised",
+    "mean",
+    "standard",
+]
+
+READINGS, SMOOTHINGS = ("tangent", "secant"), ("monotone", "polynomial")
+#: nodes that a curve must have to be smoothed
+_FEWEST_NODES = 16
 
 
-def from_heights(heights: np.ndarray, pitch: float, youngs_modulus: float) -> Springs:
-    """Springs of elements from all their heights: true punch solution, tangent, monotone.
+def from_heights(
+    heights: np.ndarray,
+    pitch: float,
+    youngs_modulus: float,
+    *,
+    bonded: bool = False,
+    reading: str = "tangent",
+    smoothing: str = "monotone",
+) -> Springs:
+    """Springs of elements from all their heights, by the true solution of the punch.
 
     Parameters
     ----------
     heights : [m], shape (elements, pixels of an element).
     pitch : side of a pixel [m]; also the least thickness of the layer under the punch.
     youngs_modulus : of the (incompressible) rubber at small scale [Pa].
+    bonded : the punch does not slip on the rubber.
+    reading : "tangent" or "secant": the punch's stiffness as dF / d delta, or as F / delta.
+    smoothing : "monotone" or "polynomial" (road/smoothing.py).
 
     Returns
     -------
-    Springs with F(0) = 0 and k(0) = 0, k non-decreasing; beyond full compression k stays.
+    Springs with F(0) = 0, k >= 0 and never falling; beyond full compression k stays. What they
+    call their punch's stiffness is that of the smoothed spring, k or F / delta.
 
     Raises
     ------
-    InputError : elements without any height difference, or a modulus that is not positive.
+    InputError : elements without any height difference, a modulus that is not positive, an
+        unknown reading or smoothing.
 
     Source: physics.md section 2; thesis, chapter 3.2.
     """
     if not 0 < youngs_modulus < np.inf:
         raise InputError(f"youngs_modulus of the springs must be positive, got {youngs_modulus} Pa")
-    below_top = np.sort(heights.max(axis=-1, keepdims=True) - heights, axis=-1)
-    full = below_top[:, -1:]
-    depth = float(full.max())
-    if not depth > 0:
-        raise InputError("road must be rough inside its elements, got elements that are all flat")
-    delta = graded(depth)
-    touching = np.array([np.searchsorted(row, delta, side="left") for row in below_top])
-    radius = pitch * np.sqrt(touching / np.pi)
-    ratio = radius / np.maximum(full - delta, pitch)
-    per_radius = 8 / 3 * youngs_modulus * stiffness_factor(ratio)
-    slope = per_radius * (1 + stiffness_exponent(ratio))
-    contact = np.stack([radius, per_radius * radius, slope], axis=-1)
-    return tabulated(depth, contact[..., 1], contact, tangent=True)
+    for what, value, known in (
+        ("reading of springs", reading, READINGS),
+        ("smoothing of springs", smoothing, SMOOTHINGS),
+    ):
+        if value not in known:
+            raise unknown_name(what, value, known)
+    punch = _Punches.of(heights, pitch, youngs_modulus, bonded)
+    tangent = reading == "tangent"
+    stiffness = _stiffness(punch, tangent, smoothing)
+    springs = tabulated(float(punch.delta[-1]), stiffness, punch.table, tangent)
+    of_punch = springs.contact_table[..., 1]
+    of_punch[:] = stiffness
+    if not tangent:
+        force = springs.energy_table[..., 4]  # U' at the nodes
+        of_punch[:, 1:] = force[:, 1:] / punch.delta[1:]
+    return springs
 
 
-def exchange_stiffest(springs: Springs, count: int, compression: float) -> Springs:
-    """The `count` stiffest springs, each replaced by one of the `count` next in the ranking.
+@dataclass(frozen=True)
+class _Punches:
+    """The punch of each element at the nodes `delta` [m]; `full` compression [m] of each.
 
-    Parameters
-    ----------
-    count : number of springs to replace, at most half of them; 0 changes nothing.
-    compression : [m] at which the springs are ranked by their force.
-
-    Source: thesis, chapter 4.2.2 (80 springs, ranked at 9 um).
+    `table` holds radius, stiffness and slope, shape (elements, nodes, 3).
     """
-    if not 0 <= 2 * count <= springs.count:
-        half = springs.count // 2
-        raise InputError(f"exchange_count must lie between 0 and {half}, got {count}")
-    if count == 0:
-        return springs
-    ranking = np.argsort(-springs.force(np.full(springs.count, compression)), kind="stable")
-    index = np.arange(springs.count)
-    index[ranking[:count]] = ranking[count : 2 * count]
-    return springs.take(index)
+
+    delta: np.ndarray
+    full: np.ndarray
+    table: np.ndarray
+
+    @classmethod
+    def of(cls, heights: np.ndarray, pitch: float, youngs_modulus: float, bonded: bool) -> _Punches:
+        below_top = np.sort(heights.max(axis=-1, keepdims=True) - heights, axis=-1)
+        full = below_top[:, -1]
+        depth = float(full.max())
+        if not depth > 0:
+            raise InputError(
+                "road must be rough inside its elements, got elements that are all flat"
+            )
+        delta = graded(depth)
+        touching = np.array([np.searchsorted(row, delta, side="left") for row in below_top])
+        radius = pitch * np.sqrt(touching / np.pi)
+        ratio = radius / np.maximum(full[:, None] - delta, pitch)
+        per_radius = 8 / 3 * youngs_modulus * stiffness_factor(ratio, bonded=bonded)
+        slope = per_radius * (1 + stiffness_exponent(ratio, bonded=bonded))
+        return cls(delta, full, np.stack([radius, per_radius * radius, slope], axis=-1))
+
+
+def _stiffness(punch: _Punches, tangent: bool, smoothing: str) -> np.ndarray:
+    """k [N/m] of the springs at the nodes, shape (elements, nodes)."""
+    own = punch.table[..., 1]
+    if tangent and smoothing == "monotone":
+        return own  # the punch only grows and the layer only thins: it never falls
+    if tangent:
+        force = cumulative_trapezoid(own, punch.delta, axis=1, initial=0)
+    else:
+        force = own * punch.delta
+    # an element all but flat is fully compressed at once: its last stiffness is all there is
+    full = np.maximum(punch.full, punch.delta[_FEWEST_NODES])
+    smooth = convex_stiffness if smoothing == "monotone" else polynomial_stiffness
+    return smooth(punch.delta, force, full)

@@ -1,0 +1,83 @@
+r"""From what a scan's pixels give to a spring that a solver can use: k >= 0 that never falls.
+
+`monotone` takes the punch's own stiffness at the table's nodes. Read as F = k_p delta, a spring
+softens wherever few points come into touch; then the greatest convex curve below takes its place.
+
+`polynomial` is of the tenth order in F, up to the spring's own full compression c. Its slope in
+Bernstein's basis, x = delta / c,
+
+    F'(x) = sum_m b_m B_m,9(x),    0 <= b_0 <= b_1 <= ... <= b_9,    F(0) = 0,
+
+is non-negative and does not fall; the b_m make the sum of (F / F_raw - 1)^2 over graded x least.
+(Not of F - F_raw: full compression is so stiff that all below 10 um would be lost in it.)
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.optimize import isotonic_regression, nnls
+from scipy.stats import binom
+
+_ORDER = 10
+#: compressions, as shares of the full one, at which the polynomial is fitted
+_SHARES = (np.arange(1, 257) / 256) ** 2
+
+
+def convex_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray) -> np.ndarray:
+    """Slope at the nodes of the greatest convex curve below each F(delta).
+
+    Parameters
+    ----------
+    delta : nodes [m], from 0 up, shape (nodes,).
+    force : at the nodes [N], shape (elements, nodes).
+    full : compression [m] of each element beyond which it goes on with its last slope.
+
+    Returns
+    -------
+    k [N/m], shape of `force`, 0 at delta = 0 and never falling.
+    """
+    width = np.diff(delta)
+    slope = np.diff(force, axis=1) / width
+    inside = np.maximum(np.searchsorted(delta, full, side="right") - 1, 1)
+    for row, cells in zip(slope, inside, strict=True):
+        # slopes averaged where they fall, by width: the convex curve below
+        row[:cells] = isotonic_regression(row[:cells], weights=width[:cells]).x
+        row[cells:] = row[cells - 1]
+    stiffness = np.zeros_like(force)
+    share = width[:-1] / (width[:-1] + width[1:])  # of the way between two cells' middles
+    stiffness[:, 1:-1] = slope[:, :-1] + share * np.diff(slope, axis=1)
+    stiffness[:, -1] = slope[:, -1]
+    return stiffness
+
+
+def polynomial_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray) -> np.ndarray:
+    """k [N/m] at the nodes of a tenth-order polynomial fitted to each F(delta).
+
+    Parameters and shapes as those of `convex_stiffness`; beyond the full compression k stays.
+
+    Source: thesis, chapter 3.2 ("a polynomial fit of order ten, derivative positive").
+    """
+    _, integral = _bases(_SHARES)
+    share = np.minimum(delta / full[:, None], 1.0)
+    stiffness, log_delta = np.empty_like(force), np.log(delta[1:])
+    for i, (log_force, end) in enumerate(zip(np.log(force[:, 1:]), full, strict=True)):
+        known = _SHARES * end >= delta[1]
+        # between nodes a power of delta
+        raw = np.exp(np.interp(np.log(_SHARES[known] * end), log_delta, log_force))
+        relative = integral[known] / raw[:, None]
+        size = np.linalg.norm(relative, axis=0)
+        steps, _ = nnls(relative / size, np.ones(raw.size), maxiter=1000)
+        stiffness[i] = _bases(share[i])[0] @ (steps / size) / end
+    return stiffness
+
+
+def _bases(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Functions of x, shape (x, 10), whose sums with coefficients >= 0 rise; their integrals.
+
+    The m-th is B_m,9 + ... + B_9,9: the coefficients b of Bernstein's basis as sums of steps.
+    The integral of B_m,9 is (B_m+1,10 + ... + B_10,10) / 10.
+    """
+    m = np.arange(_ORDER)
+    rising = binom.sf(m - 1, _ORDER - 1, x[:, None])
+    above = binom.sf(m, _ORDER, x[:, None]) / _ORDER
+    return rising, above[:, ::-1].cumsum(axis=1)[:, ::-1]

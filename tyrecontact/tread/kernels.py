@@ -14,17 +14,28 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.linalg import eigvalsh, toeplitz
 
 from tyrecontact.errors import InputError
 from tyrecontact.tread.elements import ElementLattice
 from tyrecontact.tread.materials import Layer
 from tyrecontact.tread.plate import surface_compliance
+from tyrecontact.tread.stability import critical_angle, critical_stiffness, hermitian_symbol
+
+__all__ = [
+    "Kernel",
+    "band_frequencies",
+    "band_limited",
+    "critical_angle",
+    "critical_stiffness",
+    "hermitian_symbol",
+    "interpolated",
+    "passive",
+    "quadrature_frequencies",
+    "static",
+]
 
 #: a kernel whose making takes more memory is refused
 MAX_BYTES = 8e9
-#: frequencies between 0 and Nyquist at which `critical_stiffness` looks
-_ANGLES = 60
 
 
 @dataclass(frozen=True)
@@ -130,45 +141,6 @@ def interpolated(kernel: Kernel, factor: int) -> Kernel:
     right = np.minimum(left + 1, kernel.lags - 1)
     values = (1 - share) * kernel.values[left] + share * kernel.values[right]
     return replace(kernel, values=values / factor, time_step=kernel.time_step / factor)
-
-
-def critical_stiffness(kernel: Kernel, shape: tuple[int, int]) -> float:
-    """Spring stiffness from which on time stepping may be unstable, all elements in contact.
-
-    Where the force may change sign every second step (as for `band_limited`) it is the stiffness
-    k of all springs on `shape` (ny, nx) elements at which it begins to grow,
-    1 / lambda_max(-sum_n (-1)^n g_n). Otherwise it is the largest stiffness for which the
-    scheme is energy-stable with every monotone spring (sufficient, 10-30 % below the onset),
-
-        k = min over theta of (cos theta - 1) / lambda_min(Herm[(1 - z^-1) G(z)]), z = e^{i theta}.
-
-    Returns
-    -------
-    [N/m]; inf where no stiffness is too much.
-    """
-    ny, nx = shape
-    if not (0 < ny <= kernel.values.shape[1] and 0 < nx <= kernel.values.shape[2]):
-        held = kernel.values.shape[1:]
-        raise InputError(f"shape must lie within the kernel's {held}, got {shape}")
-    least = np.inf
-    for theta in np.linspace(np.pi, np.pi / _ANGLES, _ANGLES):
-        lowest = float(eigvalsh(_power(kernel, shape, theta), subset_by_index=(0, 0))[0])
-        if lowest < -1e-13 * kernel.values[0, 0, 0]:  # below that it is rounding
-            least = min(least, (1 - np.cos(theta)) / -lowest)
-            if theta == np.pi:
-                break
-    return float(least)
-
-
-def _power(kernel: Kernel, shape: tuple[int, int], theta: float) -> np.ndarray:
-    """Herm[(1 - z^-1) G(z)] at z = e^{i theta} as a dense matrix between all elements [m/N]."""
-    ny, nx = shape
-    z = np.exp(-1j * theta)
-    weight = ((1 - z) * z ** np.arange(kernel.lags)).real
-    offsets = np.tensordot(weight, kernel.values[:, :ny, :nx], axes=1)
-    blocks = np.array([toeplitz(row) for row in offsets])
-    rows = np.abs(np.subtract.outer(np.arange(ny), np.arange(ny)))
-    return blocks[rows].transpose(0, 2, 1, 3).reshape(ny * nx, ny * nx)
 
 
 def quadrature_frequencies(time_step: float, lags: int) -> np.ndarray:

@@ -158,3 +158,14 @@ def test_kernels_do_not_depend_on_how_frequencies_are_taken_together(layers: lis
         found = 2 * np.tensordot(weight, even, axes=1) - even[0]
         # the sample at 80 lags is not kept: 1e-3 of the whole at most
         np.testing.assert_allclose(found, alone, atol=1e-3 * abs(values[0, 0, 0]))
+
+
+def test_a_patch_may_be_wider_than_half_the_period() -> None:
+    """A wide patch on a thin tread: far elements feel nothing, but they are there."""
+    wide = ElementLattice.around((30, 4), SIDE, 1e-3)
+    assert wide.period < 60
+    kernel = element_kernel(wide, 0.0)
+    assert kernel.shape == (30, 4)
+    twice = element_kernel(ElementLattice((30, 4), SIDE, 2 * wide.period), 0.0)
+    # the thickness of LAYER, five times that of the room made here, is felt up to 5e-5
+    np.testing.assert_allclose(kernel, twice, atol=1e-2 * abs(kernel[0, 0]))

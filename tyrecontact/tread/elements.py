@@ -82,13 +82,14 @@ class ElementLattice:
         row, column = np.indices((half, half))
         larger, smaller = np.maximum(row, column), np.minimum(row, column)
         packed = larger * (larger + 1) // 2 + smaller
-        ny, nx = self.shape
+        # elements beyond half a period are far: the symmetry of the period serves there
+        fold = [np.minimum(np.arange(n), self.period - np.arange(n)) for n in self.shape]
         area = (self.period * self.spacing) ** 2
-        result = np.empty((compliance.shape[1], ny, nx), complex)
+        result = np.empty((compliance.shape[1], *self.shape), complex)
         for part, values in ((result.real, compliance.real), (result.imag, compliance.imag)):
             for place, symbol in zip(part, values.T @ _symbol_weights(self).T, strict=True):
                 # even in x and y, so that the Fourier sum is a cosine transform (DCT-I)
-                place[...] = fft.dctn(symbol[packed], type=1)[:ny, :nx] / area
+                place[...] = fft.dctn(symbol[packed], type=1)[np.ix_(*fold)] / area
         return result
 
 

@@ -10,7 +10,7 @@ import param
 
 from tyrecontact import Scenario, presets
 from tyrecontact.errors import InputError
-from tyrecontact.settings import Choice, Count, Text
+from tyrecontact.settings import Choice, Count, Tables, Text
 
 from .road_file import RoadFile
 
@@ -58,7 +58,7 @@ class Controls:
         self.widgets: dict[str, Any] = {}
         self._scales: dict[str, float] = {}
         for path, parameter, value in self.scenario.settings():
-            if path not in _OF_ROAD_FILE and not isinstance(parameter, Text):
+            if path not in _OF_ROAD_FILE and not isinstance(parameter, Text | Tables):
                 self._add(path, parameter, value)
         self.road_file = RoadFile(self._take_road, refuse)
         self.root = [self._main(), self._folded()]

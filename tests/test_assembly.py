@@ -13,6 +13,14 @@ from tyrecontact.parts.process import Loading
 from tyrecontact.parts.road import Road
 from tyrecontact.parts.tread import Tread
 from tyrecontact.road import heights
+from tyrecontact.tread import kernels
+from tyrecontact.tread.materials import (
+    FractionalKelvinVoigt,
+    FractionalZener,
+    Layer,
+    NearlyConstantLoss,
+)
+from tyrecontact.tread.tabulated import APPENDIX_B, Tabulated
 
 ROAD = {"elements": 6, "size": 6e-3, "pixel": 5e-5}
 
@@ -181,7 +189,8 @@ def test_what_refines_a_kind_of_spring_matters(
             {"tread.thickness": 1e-4, "loading.max_indentation": 1e-4},
             "loading.max_indentation must be less than tread.thickness, 0.0001 m, got 0.0001 m",
         ),
-        ({"numerics.lags": 25}, "numerics.lags must cover .* 0.499 ms or 26 samples, got 25"),
+        ({"numerics.lags": 25}, "numerics.lags must cover .* 0.503 ms or 26 samples, got 25"),
+        ({"numerics.lags": 343}, "numerics.lags must be at most 342, the steps of the .*, got 343"),
         ({"numerics.sampling_frequency": 1e6}, "numerics.lags must cover .* got 256"),
     ],
 )
@@ -195,7 +204,10 @@ def test_settings_that_cannot_go_together_are_refused_before_the_run(
         Simulation(scenario)
 
 
-@pytest.mark.parametrize(("path", "value"), [("springs.exchange_count", 18), ("numerics.lags", 26)])
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [("springs.exchange_count", 18), ("numerics.lags", 26), ("numerics.lags", 342)],
+)
 def test_settings_that_just_go_together_are_taken(path: str, value: int) -> None:
     scenario = Scenario(road=ROAD)
     scenario.set(path, value)
@@ -204,8 +216,9 @@ def test_settings_that_just_go_together_are_taken(path: str, value: int) -> None
 
 @pytest.mark.parametrize(
     ("kernel", "factor", "lags"),
-    [("passive", 1, 16), ("passive", 3, 48), ("band-limited", 1, 16), ("band-limited", 4, 61)],
-)
+    [("passive", 1, 16), ("passive", 3, 48), ("passive-mobility", 5, 80),
+     ("band-limited", 1, 16), ("band-limited", 4, 61)],
+)  # fmt: skip
 def test_a_kernel_covers_the_same_time_at_a_finer_step(kernel: str, factor: int, lags: int) -> None:
     found = assembly.tread_kernel(small(kernel=kernel, time_resolution_factor=factor))
     assert found.values.shape == (lags, 6, 6)
@@ -228,6 +241,31 @@ def test_a_band_limited_kernel_is_interpolated_to_factors_of_the_thesis_only(fac
         assembly.tread_kernel(small(kernel="band-limited", time_resolution_factor=factor))
 
 
+@pytest.mark.parametrize("factor", [1, 2, 3])
+def test_a_band_limited_kernel_is_recomputed_at_any_factor(factor: int) -> None:
+    settings = {"kernel": "band-limited", "refinement": "recomputed"}
+    found = assembly.tread_kernel(small(**settings, time_resolution_factor=factor))
+    layers = assembly.tread_layers(Tread())
+    anew = kernels.band_limited(layers, (6, 6), 1e-3, 1 / 51200 / factor, 16 * factor)
+    np.testing.assert_array_equal(found.values, anew.values)
+    Simulation(Scenario(road=ROAD, numerics={**settings, "time_resolution_factor": factor}))
+
+
+def test_the_quadrature_arrives_at_the_passive_kernel() -> None:
+    found = assembly.tread_kernel(small(quadrature="BDF1"))
+    layers = assembly.tread_layers(Tread())
+    first = kernels.passive(layers, (6, 6), 1e-3, 1 / 51200, 16, "BDF1")
+    np.testing.assert_array_equal(found.values, first.values)
+    assert np.abs(found.values - assembly.tread_kernel(small()).values).max() > 1e-7
+
+
+def test_the_fastest_runs_of_the_thesis_may_keep_256_lags() -> None:
+    """0.2 mm in 2 ms are 103 steps: lags that no step reaches cost time and change nothing."""
+    scenario = Scenario(road=ROAD, loading={"rate": 0.1})
+    assert len(Simulation(scenario)) == 103
+    assert scenario.numerics.lags == 256
+
+
 def test_layers_carry_the_settings_from_the_top_down() -> None:
     top, base = assembly.tread_layers(Tread(static_modulus=1e7, base_thickness=2e-3, density=999))
     assert (top.thickness, top.density, top.poissons_ratio) == (10e-3, 999, 0.499)
@@ -236,6 +274,95 @@ def test_layers_carry_the_settings_from_the_top_down() -> None:
     assert base.modulus(np.array(0.0)) == 72e9
     slower = assembly.tread_layers(Tread(static_modulus=1e7, relaxation_time=1e-5))[0]
     assert abs(slower.modulus(1e4j)) > abs(top.modulus(1e4j))
+
+
+def test_the_material_is_chosen_by_name() -> None:
+    zener = Tread(material="fractional-zener", glassy_modulus=6e7, exponent=0.5)
+    found = assembly.tread_layers(zener)[0].modulus
+    assert found == FractionalZener(25e6, 6e7, 3.717e-6, 0.5)
+    assert assembly.tread_layers(Tread(material="tabulated"))[0].modulus is APPENDIX_B
+    assert assembly.tread_layers(Tread())[0].modulus == FractionalKelvinVoigt()
+
+
+def test_a_table_of_ones_own_is_read(tmp_path: Path) -> None:
+    (tmp_path / "modulus.csv").write_text("# f, E', eta\n10, 1e7, 0.02\n1e4, 3e7, 0.4\n")
+    tread = Tread(material="tabulated", modulus_table=str(tmp_path / "modulus.csv"))
+    expected = Tabulated((10.0, 1e4), (1e7, 3e7), (0.02, 0.4))
+    assert assembly.tread_layers(tread)[0].modulus == expected
+
+
+LAYERS = [
+    {"thickness": 2e-3, "density": 1200, "poissons_ratio": 0.49, "material": "fractional-zener",
+     "static_modulus": 5e6, "glassy_modulus": 5e8, "exponent": 0.6, "relaxation_time": 1e-7},
+    {"thickness": 6e-3, "density": 1100, "poissons_ratio": 0.48,
+     "material": "fractional-kelvin-voigt", "static_modulus": 8e6, "exponent": 0.5,
+     "relaxation_time": 1e-6},
+    {"thickness": 1e-3, "density": 7800, "poissons_ratio": 0.3,
+     "material": "nearly-constant-loss", "youngs_modulus": 2.1e11, "loss_factor": 1e-3},
+]  # fmt: skip
+
+
+def test_any_number_of_layers_takes_the_place_of_the_two() -> None:
+    assert assembly.tread_layers(Tread(layers=LAYERS)) == [
+        Layer(2e-3, 1200, FractionalZener(5e6, 5e8, 1e-7, 0.6), 0.49),
+        Layer(6e-3, 1100, FractionalKelvinVoigt(8e6, 1e-6, 0.5), 0.48),
+        Layer(1e-3, 7800, NearlyConstantLoss(2.1e11, 1e-3), 0.3),
+    ]
+    layered = Scenario(road=ROAD, tread={"layers": LAYERS}, numerics={"lags": 32})
+    kernel = assembly.tread_kernel(layered)
+    two = assembly.tread_kernel(small(lags=32))
+    # the top is five times as soft
+    assert kernel.static_compliance[0, 0] > 3 * two.static_compliance[0, 0]
+
+
+def test_the_two_layers_may_be_written_as_tables() -> None:
+    tables = [
+        {"thickness": 10e-3, "density": 1300.0, "poissons_ratio": 0.499,
+         "material": "fractional-kelvin-voigt", "static_modulus": 25e6, "exponent": 0.6091,
+         "relaxation_time": 3.717e-6},
+        {"thickness": 3e-3, "density": 2700.0, "poissons_ratio": 0.33,
+         "material": "nearly-constant-loss", "youngs_modulus": 72e9, "loss_factor": 5e-5},
+    ]  # fmt: skip
+    assert assembly.tread_layers(Tread(layers=tables)) == assembly.tread_layers(Tread())
+
+
+@pytest.mark.parametrize(
+    ("tread", "numerics", "sentence"),
+    [
+        ({"material": "tabulated"}, {}, "numerics.kernel must be band-limited, .* is not causal"),
+        ({"layers": [{**LAYERS[2], "material": "tabulated"}]}, {}, "layer 1 of tread.layers: "),
+        ({"material": "fractional-zener", "static_modulus": 6e7}, {}, "glassy_modulus must be at"),
+        (
+            {"layers": [LAYERS[2], {**LAYERS[0], "glassy_modulus": 1e6}]},
+            {},
+            "layer 2 of tread.layers: glassy_modulus must be at least static_modulus, 5e.06 Pa",
+        ),
+        (
+            {"layers": [{**LAYERS[0], "thickness": 1e-4}]},
+            {},
+            "less than the thickness of tread.layers, 0.0001 m, got 0.0002 m",
+        ),
+        ({"material": "tabulated", "modulus_table": "none.txt"}, {}, "table must be readable"),
+        ({"layers": LAYERS[1:]}, {"lags": 10}, "numerics.lags must cover the ringing"),
+    ],
+)
+def test_treads_that_cannot_be_are_refused_before_the_run(
+    tread: dict[str, object], numerics: dict[str, object], sentence: str
+) -> None:
+    with pytest.raises(InputError, match=sentence):
+        Simulation(Scenario(road=ROAD, tread=tread, numerics=numerics))
+
+
+@pytest.mark.parametrize("kernel", ["band-limited", "passive-mobility", "static"])
+def test_kernels_on_the_imaginary_axis_take_a_table(kernel: str) -> None:
+    scenario = Scenario(
+        road=ROAD, tread={"material": "tabulated"}, numerics={"kernel": kernel, "lags": 32}
+    )
+    Simulation(scenario)
+    stiff = assembly.tread_kernel(scenario).values[0, 0, 0]
+    soft = assembly.tread_kernel(small(kernel=kernel, lags=32)).values[0, 0, 0]
+    # 50 MPa where the default has 40; the same at rest
+    assert stiff == pytest.approx(soft) if kernel == "static" else stiff < soft
 
 
 @pytest.mark.parametrize(

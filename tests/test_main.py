@@ -70,6 +70,7 @@ def test_describe_tells_every_setting_with_default_unit_bounds_and_meaning(capsy
     assert "loading.rate = 0.03 m/s  [0.0001 to 10]" in out
     assert "numerics.kernel = passive  [passive | passive-mobility | band-limited | static]" in out
     assert "road.file = ''  [any text]" in out
+    assert "tread.layers = []  [tables, as JSON]" in out
 
 
 def test_json_is_the_summary_and_the_clocks(capsys: Capture, quick: Scenario) -> None:

@@ -13,7 +13,7 @@ import pytest
 
 from tyrecontact import Scenario
 from tyrecontact.errors import InputError
-from tyrecontact.settings import Choice, Count, Quantity, Text, parsed
+from tyrecontact.settings import Choice, Count, Quantity, Tables, Text, parsed
 
 SETTINGS = {path: parameter for path, parameter, _ in Scenario().settings()}
 NUMBERS = [path for path, p in SETTINGS.items() if isinstance(p, Quantity | Count)]
@@ -56,7 +56,7 @@ def factor_to(unit: str, shown: str) -> float:
 @pytest.mark.parametrize("path", SETTINGS)
 def test_every_setting_is_declared_in_full(path: str) -> None:
     parameter = SETTINGS[path]
-    assert isinstance(parameter, Quantity | Count | Choice | Text)
+    assert isinstance(parameter, Quantity | Count | Choice | Text | Tables)
     assert parameter.doc[0].isupper()
     assert len(parameter.doc) > 10
     unit, (shown, factor) = parameter.metadata["unit"], parameter.metadata["shown_in"]

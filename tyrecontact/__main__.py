@@ -18,6 +18,7 @@ from tyrecontact import presets
 from tyrecontact.errors import InputError, TyreContactError
 from tyrecontact.results import Results
 from tyrecontact.scenario import Scenario, read_tables
+from tyrecontact.settings import Tables
 from tyrecontact.simulation import Simulation
 
 
@@ -62,7 +63,7 @@ def _describe(_: argparse.Namespace) -> None:
     for path, parameter, value in Scenario().settings():
         choices = getattr(parameter, "objects", None)
         bounds = getattr(parameter, "bounds", None)
-        span = "any text"
+        span = "tables, as JSON" if isinstance(parameter, Tables) else "any text"
         if choices:
             span = " | ".join(name or repr(name) for name in choices)
         elif bounds:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Mapping
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -81,7 +82,7 @@ class Scenario(Part):
         result: dict[str, dict[str, Any]] = {part: {} for part in self.PARTS}
         for path, _, value in self.settings():
             part, _, name = path.partition(".")
-            result[part][name] = value
+            result[part][name] = deepcopy(value)  # tables are nobody else's to change
         return result
 
     def copy(self) -> Scenario:

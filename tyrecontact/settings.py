@@ -6,6 +6,8 @@ unit they are shown in on a form, are their `metadata`.
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable, Mapping
 from numbers import Real
 from typing import Any, cast
 
@@ -88,6 +90,33 @@ class Text(param.String):
             raise InputError(f"{_path(self)} must be a text, got {val!r}")
 
 
+class Tables(param.Parameter):
+    """A list of tables of settings, such as the layers of a tread; default: none.
+
+    Parameters
+    ----------
+    called : what a table is called in a message ("layer").
+    taken : a table checked, as a dictionary of plain values; raises InputError.
+    """
+
+    def __init__(self, called: str, taken: Callable[[Mapping[str, Any]], dict], doc: str) -> None:
+        metadata = {"unit": "", "shown_in": ("", 1.0), "called": called, "taken": taken}
+        super().__init__(default=[], instantiate=True, doc=doc, metadata=metadata)
+
+    def taken(self, val: Any) -> list[dict]:
+        """The tables checked, and copied: later changes of `val` do not reach the setting."""
+        if not isinstance(val, list | tuple) or not all(isinstance(t, Mapping) for t in val):
+            raise InputError(f"{_path(self)} must be a list of tables, got {val!r}")
+        tables = []
+        for number, table in enumerate(val, start=1):
+            try:
+                tables.append(self.metadata["taken"](table))
+            except InputError as error:
+                called = self.metadata["called"]
+                raise InputError(f"{called} {number} of {_path(self)}: {error}") from None
+        return tables
+
+
 def _plain(value: Any) -> Any:
     """A number as Python's own int or float: no other would survive a way through JSON."""
     if isinstance(value, np.generic):
@@ -108,6 +137,8 @@ class Part(param.Parameterized):
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_"):
             self._require_known(name)
+            if isinstance(self.param[name], Tables):
+                value = self.param[name].taken(value)
         super().__setattr__(name, _plain(value))
 
     def _require_known(self, name: str) -> None:
@@ -132,14 +163,16 @@ class Group(param.ClassSelector):
 def parsed(parameter: param.Parameter, text: str) -> Any:
     """The value that a text (of a command line) stands for, not yet checked against bounds."""
     if isinstance(parameter, Count):
-        kind: type = int
+        kind: Callable[[str], Any] = int
     elif isinstance(parameter, Quantity):
         kind = float
+    elif isinstance(parameter, Tables):
+        kind = json.loads
     else:
         return text
     try:
         return kind(text)
-    except ValueError:
+    except (ValueError, RecursionError):
         return text  # refused with a sentence when it is set
 
 

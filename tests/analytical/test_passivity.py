@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tyrecontact.tread.kernels import Kernel, passive
-from tyrecontact.tread.materials import Layer
+from tyrecontact.tread.kernels import Kernel, passive, passive_mobility, static
+from tyrecontact.tread.materials import FractionalZener, Layer
+from tyrecontact.tread.tabulated import APPENDIX_B
 
 Matrix = Callable[[np.ndarray], np.ndarray]
 ANGLES = np.concatenate([np.geomspace(1e-4, 0.1, 20), np.linspace(0.1, np.pi, 120)])
@@ -58,6 +59,52 @@ def test_the_band_limited_kernel_gives_power_back(
     band_limited_kernel: Kernel, element_matrix: Matrix
 ) -> None:
     assert lowest_power(band_limited_kernel, element_matrix) < -0.1
+
+
+@pytest.fixture(scope="module")
+def other_kernels(tread_layers: list[Layer]) -> dict[str, Kernel]:
+    """Every other kernel that is meant to be passive, and other materials."""
+    rest = ((5, 6), 1e-3, 1 / 51200)
+    rubber, base = tread_layers
+    zener = [Layer(0.01, 1300, FractionalZener(25e6, 5e8, 1e-7), 0.499), base]
+    thin = [Layer(0.004, 1100, rubber.modulus, 0.45), rubber, base]
+    tabulated = [Layer(0.01, 1300, APPENDIX_B, 0.499), base]
+    return {
+        "BDF1": passive(tread_layers, *rest, 64, "BDF1"),
+        "Zener": passive(zener, *rest, 64),
+        "three layers": passive(thin, *rest, 64),
+        "mobility": passive_mobility(tread_layers, *rest, 128),
+        "mobility of a table": passive_mobility(tabulated, *rest, 128),
+        "static": static(tread_layers, *rest[:2]),
+    }
+
+
+NAMES = ["BDF1", "Zener", "three layers", "mobility", "mobility of a table", "static"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_other_passive_kernels_take_power_at_every_frequency(
+    other_kernels: dict[str, Kernel], element_matrix: Matrix, name: str
+) -> None:
+    assert lowest_power(other_kernels[name], element_matrix) >= -1e-12  # rounding
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("kind", ["white", "bursts", "walk", "alternating"])
+def test_no_history_draws_energy_from_them(
+    other_kernels: dict[str, Kernel], element_matrix: Matrix, name: str, kind: str
+) -> None:
+    """sum F_n (u_n - u_(n-1)) >= 0, whatever the forces."""
+    rng = np.random.default_rng(3)
+    noise = rng.standard_normal((200, 30))
+    forces = {
+        "white": noise,
+        "bursts": noise * (rng.random((200, 1)) < 0.1),
+        "walk": np.cumsum(noise, axis=0),
+        "alternating": alternating(other_kernels[name], element_matrix, 200),
+    }
+    energy = work(other_kernels[name], element_matrix, forces[kind])
+    assert energy.min() >= -1e-12 * np.abs(energy).max()  # rounding
 
 
 @pytest.mark.parametrize("seed", range(4))

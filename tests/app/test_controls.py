@@ -18,9 +18,11 @@ def controls(refusals: list[str]) -> Controls:
     return Controls(refusals.append, refusals.clear)
 
 
-def test_every_setting_but_the_road_files_has_a_widget(controls: Controls) -> None:
+def test_every_setting_has_a_widget_but_the_road_files_and_tables(controls: Controls) -> None:
     paths = {path for path, _, _ in controls.scenario.settings()}
-    assert paths - set(controls.widgets) == {"road.file", "road.pitch", "road.height_unit"}
+    assert paths - set(controls.widgets) == {
+        "road.file", "road.pitch", "road.height_unit", "tread.layers"
+    }  # fmt: skip
 
 
 def test_the_four_main_controls_stand_on_top(controls: Controls) -> None:

@@ -38,7 +38,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture(scope="module")
 def made() -> dict[str, Kernel]:
-    timed = {name: getattr(kernels, name)(*TIMED) for name in ("passive", "band_limited")}
+    timed = {
+        name: getattr(kernels, name)(*TIMED)
+        for name in ("passive", "passive_mobility", "band_limited")
+    }
     return {**timed, "static": kernels.static(*TIMED[:3])}
 
 
@@ -78,10 +81,18 @@ def test_each_kernel_is_computed_once(
     for _ in range(3):
         assert_same(cache.passive(*TIMED), made["passive"])
         assert_same(cache.band_limited(*TIMED), made["band_limited"])
+        assert_same(cache.passive_mobility(*TIMED), made["passive_mobility"])
         assert_same(cache.static(*TIMED[:3]), made["static"])
         cache.passive([RUBBER], *TIMED[1:])
-    assert built == ["passive", "band_limited", "static", "passive"]
-    assert [path.suffix for path in folder.iterdir()] == [".npz"] * 4
+    assert built == ["passive", "band_limited", "passive_mobility", "static", "passive"]
+    assert [path.suffix for path in folder.iterdir()] == [".npz"] * 5
+
+
+def test_quadratures_are_told_apart_though_the_modulus_is_constant(folder: Path) -> None:
+    elastic = ([BASE], *TIMED[1:])
+    for quadrature in ("BDF1", "BDF2", "BDF1"):
+        assert_same(cache.passive(*elastic, quadrature), kernels.passive(*elastic, quadrature))
+    assert len(list(folder.iterdir())) == 2
 
 
 def assert_replaced(file: Path, built: list[str]) -> None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
 from tyrecontact.tread.elements import ElementLattice
+from tyrecontact.tread.kernels import band_limited
 from tyrecontact.tread.materials import FractionalKelvinVoigt, Layer
 from tyrecontact.tread.plate import surface_compliance
 
@@ -121,3 +124,48 @@ def test_numbers_do_not_depend_on_the_unit_of_length(lattice: ElementLattice) ->
     np.testing.assert_allclose(
         in_mm.kernel(compliance * 1e3) * 1e6, lattice.kernel(compliance) * 1e3, rtol=1e-9
     )
+
+
+@pytest.mark.parametrize("frequencies", [8, 200])
+def test_a_kernel_takes_no_more_memory_than_it_says(layers: list[Layer], frequencies: int) -> None:
+    """So that what is refused as too large is, and what is taken fits."""
+    spacing = 0.75e-3 + frequencies * 1e-7  # a lattice that no one has prepared yet
+    lattice = ElementLattice.around((20, 20), spacing, 0.013)
+    tracemalloc.start()
+    try:
+        band_limited(layers, (20, 20), spacing, 1 / 51200, frequencies - 1)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < 1.2 * lattice.bytes_needed(frequencies)
+    assert peak > lattice.bytes_needed(frequencies) / 3
+
+
+def test_elements_of_128_a_side_fit_into_a_gigabyte() -> None:
+    fine = ElementLattice.around((128, 128), 20e-3 / 128, 0.013)
+    assert fine.bytes_needed(257) < 1.2e9
+
+
+def test_kernels_do_not_depend_on_how_frequencies_are_taken_together(layers: list[Layer]) -> None:
+    """Frequencies of 80 lags are in three blocks; their Nyquist frequency alone in one."""
+    values = band_limited(layers, (3, 2), 1e-3, 1e-5, 80).values
+    even = np.concatenate([values[:1], values[1:] / 2])
+    lattice = ElementLattice.around((3, 2), 1e-3, sum(layer.thickness for layer in layers))
+    for m in (0, 31, 32, 63, 64, 79):
+        s = np.array([[1j * np.pi * m / 80 / 1e-5]])
+        alone = lattice.kernel(surface_compliance(lattice.wavenumbers[:, None], s, layers))[0].real
+        weight = np.cos(np.pi * m * np.arange(80) / 80)
+        found = 2 * np.tensordot(weight, even, axes=1) - even[0]
+        # the sample at 80 lags is not kept: 1e-3 of the whole at most
+        np.testing.assert_allclose(found, alone, atol=1e-3 * abs(values[0, 0, 0]))
+
+
+def test_a_patch_may_be_wider_than_half_the_period() -> None:
+    """A wide patch on a thin tread: far elements feel nothing, but they are there."""
+    wide = ElementLattice.around((30, 4), SIDE, 1e-3)
+    assert wide.period < 60
+    kernel = element_kernel(wide, 0.0)
+    assert kernel.shape == (30, 4)
+    twice = element_kernel(ElementLattice((30, 4), SIDE, 2 * wide.period), 0.0)
+    # the thickness of LAYER, five times that of the room made here, is felt up to 5e-5
+    np.testing.assert_allclose(kernel, twice, atol=1e-2 * abs(kernel[0, 0]))

@@ -8,12 +8,18 @@ import pytest
 from tyrecontact.errors import InputError
 from tyrecontact.tread.materials import (
     FractionalKelvinVoigt,
+    FractionalZener,
     Layer,
     Modulus,
     NearlyConstantLoss,
 )
 
-MODULI = [FractionalKelvinVoigt(), NearlyConstantLoss(72e9, 0.03)]
+MODULI = [
+    FractionalKelvinVoigt(),
+    FractionalZener(),
+    FractionalZener(5e6, 1e9, 1e-7, 0.4),
+    NearlyConstantLoss(72e9, 0.03),
+]
 
 
 def dynamic(modulus: Modulus, frequency: float | np.ndarray) -> np.ndarray:
@@ -44,6 +50,14 @@ def test_a_nearly_constant_loss_is_nearly_constant(loss_factor: float) -> None:
 def test_without_loss_the_modulus_is_a_constant() -> None:
     modulus = dynamic(NearlyConstantLoss(72e9), np.geomspace(1, 1e5, 9))
     np.testing.assert_array_equal(modulus, 72e9)
+
+
+def test_a_zener_solid_is_half_way_where_s_tau_is_one_and_glassy_at_the_end() -> None:
+    zener = FractionalZener(25e6, 50e6, 1e-5, 0.6)
+    assert complex(zener(np.array(1e5))) == pytest.approx(37.5e6)
+    # (s tau)^-0.6 of the rise is still to come
+    assert complex(zener(np.array(1e25))) == pytest.approx(50e6, rel=1e-11)
+    assert zener(np.array(1e3)).real < FractionalKelvinVoigt(25e6, 1e-5, 0.6)(np.array(1e3)).real
 
 
 @pytest.mark.parametrize("modulus", MODULI)
@@ -87,6 +101,11 @@ def test_storage_and_loss_obey_kramers_and_kronig(modulus: Modulus) -> None:
         (FractionalKelvinVoigt, {"static_modulus": 0.0}, "static_modulus"),
         (FractionalKelvinVoigt, {"relaxation_time": np.nan}, "relaxation_time"),
         (FractionalKelvinVoigt, {"exponent": 1.1}, "exponent"),
+        (FractionalZener, {"static_modulus": -1.0}, "static_modulus"),
+        (FractionalZener, {"glassy_modulus": np.nan}, "glassy_modulus"),
+        (FractionalZener, {"glassy_modulus": 2e7}, "glassy_modulus must be at least .* 2.5e.07 Pa"),
+        (FractionalZener, {"relaxation_time": 0.0}, "relaxation_time"),
+        (FractionalZener, {"exponent": np.nan}, "exponent"),
         (NearlyConstantLoss, {"static_modulus": np.inf}, "static_modulus"),
         (NearlyConstantLoss, {"static_modulus": 1e9, "loss_factor": -0.01}, "loss_factor"),
         (NearlyConstantLoss, {"static_modulus": 1e9, "loss_factor": np.nan}, "loss_factor"),

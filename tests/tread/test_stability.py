@@ -9,10 +9,14 @@ import pytest
 
 from tyrecontact.tread.kernels import (
     Kernel,
+    band_limited,
     critical_angle,
+    critical_stiffness,
     hermitian_symbol,
     interpolated,
+    passive,
 )
+from tyrecontact.tread.materials import Layer
 
 Matrix = Callable[[np.ndarray], np.ndarray]
 
@@ -84,3 +88,29 @@ def test_a_passive_kernel_takes_power_even_at_its_worst_angle(
     angle = critical_angle(passive_kernel)
     assert 0 < angle <= np.pi
     assert strictest(passive_kernel, element_matrix, np.array([angle]))[0] > 0
+
+
+def test_the_critical_stiffness_of_many_elements_is_that_of_their_matrix(
+    layers: list[Layer], element_matrix: Matrix
+) -> None:
+    """26 x 25 elements are too many for a dense matrix; here it is taken all the same."""
+    kernel = band_limited(layers, (26, 25), 1e-3, 1 / 51200, 32)
+    alternating = np.tensordot((-1.0) ** np.arange(32), kernel.values, axes=1)
+    expected = -1 / np.linalg.eigvalsh(element_matrix(alternating))[0]
+    # Lanczos' method stops at 1e-4, which leaves the square of it in the eigenvalue
+    assert critical_stiffness(kernel, (26, 25)) == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_finer_lattice_bears_the_same_stiffness_an_area(layers: list[Layer]) -> None:
+    """Instability is of long waves: 5e10 N/m an m2, 5e4 N/m an element of 1 mm."""
+    limits = []
+    for elements in (10, 32):
+        spacing = 10e-3 / elements
+        kernel = band_limited(layers, (elements, elements), spacing, 1 / 51200, 64)
+        limits.append(critical_stiffness(kernel, (elements, elements)) / spacing**2)
+    assert limits[1] == pytest.approx(limits[0], rel=0.1)  # coarse elements at the rim
+
+
+def test_many_elements_on_a_passive_kernel_are_stable(layers: list[Layer]) -> None:
+    kernel = passive(layers, (26, 26), 1e-3, 1 / 51200, 64)
+    assert critical_stiffness(kernel, (26, 26)) == np.inf

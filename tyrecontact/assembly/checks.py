@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from tyrecontact.assembly.process import loading_path
 from tyrecontact.assembly.tread import tread_layers
 from tyrecontact.errors import InputError
+from tyrecontact.parts.process import Numerics
 from tyrecontact.parts.tread import Tread
 from tyrecontact.scenario import Scenario
+from tyrecontact.tread.materials import Layer
+from tyrecontact.tread.tabulated import Tabulated
+
+#: memory of the thesis' kernel [s]: so much may outlast a run, since its fastest runs are shorter
+_USUAL_MEMORY = 5e-3
 
 
 def require_consistent(scenario: Scenario) -> None:
@@ -17,33 +26,73 @@ def require_consistent(scenario: Scenario) -> None:
     ------
     InputError : one sentence that names the settings.
     """
-    numerics, tread, loading_ = scenario.numerics, scenario.tread, scenario.loading
     half = scenario.road.elements**2 // 2
     if scenario.springs.exchange_count > half:
         count = scenario.springs.exchange_count
         raise InputError(
             f"springs.exchange_count must be at most half the elements, {half}, got {count}"
         )
-    if numerics.kernel == "band-limited" and numerics.time_resolution_factor not in (1, 2, 4):
+    layers = tread_layers(scenario.tread)
+    _require_kernel(scenario.numerics, layers)
+    _require_thickness(scenario.tread, scenario.loading.max_indentation)
+    if scenario.numerics.kernel != "static":
+        _require_lags(scenario, layers)
+
+
+def _require_kernel(numerics: Numerics, layers: Sequence[Layer]) -> None:
+    """The kernel can be had for the material, and at the finer time step."""
+    tabulated = any(isinstance(layer.modulus, Tabulated) for layer in layers)
+    if numerics.kernel == "passive" and tabulated:
+        raise InputError(
+            "numerics.kernel must be band-limited, passive-mobility or static for a tabulated "
+            "modulus, got passive: a table is not causal and has no continuation to complex s"
+        )
+    interpolated = numerics.kernel == "band-limited" and numerics.refinement == "interpolated"
+    if interpolated and numerics.time_resolution_factor not in (1, 2, 4):
         raise InputError(
             "numerics.time_resolution_factor must be 1, 2 or 4 for the band-limited kernel, "
-            f"got {numerics.time_resolution_factor}"
+            f"interpolated, got {numerics.time_resolution_factor}"
         )
-    if loading_.max_indentation >= tread.thickness:
+
+
+def _require_thickness(tread: Tread, indentation: float) -> None:
+    """The road stays above the bottom of the tread."""
+    thickness, what = tread.thickness, "tread.thickness"
+    if tread.layers:
+        thickness = sum(layer["thickness"] for layer in tread.layers)
+        what = "the thickness of tread.layers"
+    if indentation >= thickness:
         raise InputError(
-            f"loading.max_indentation must be less than tread.thickness, {tread.thickness:g} m, "
-            f"got {loading_.max_indentation:g} m"
+            f"loading.max_indentation must be less than {what}, {thickness:g} m, "
+            f"got {indentation:g} m"
         )
-    memory, needed = numerics.lags / numerics.sampling_frequency, _shear_transits(tread)
-    if numerics.kernel != "static" and memory < needed:
+
+
+def _require_lags(scenario: Scenario, layers: Sequence[Layer]) -> None:
+    """The kernel's memory holds the ringing of the tread, and little that no run can reach."""
+    numerics = scenario.numerics
+    rate, lags = numerics.sampling_frequency, numerics.lags
+    needed = _shear_transits(layers)
+    if lags / rate < needed:
         raise InputError(
             f"numerics.lags must cover the ringing of the tread, {needed * 1e3:.3g} ms or "
-            f"{needed * numerics.sampling_frequency:.0f} samples, got {numerics.lags}"
+            f"{np.ceil(needed * rate):.0f} samples, got {lags}"
+        )
+    duration = float(loading_path(scenario.loading).time[-1])
+    most = np.ceil(max(duration, needed, _USUAL_MEMORY) * rate)
+    if lags > most:
+        raise InputError(
+            f"numerics.lags must be at most {most:.0f}, the steps of the loading at the sampling "
+            f"frequency or 5 ms, got {lags}"
         )
 
 
-def _shear_transits(tread: Tread) -> float:
+def _shear_transits(layers: Sequence[Layer]) -> float:
     """Time in which a shear wave crosses the tread four times [s]: shorter kernels are unstable."""
-    top = tread_layers(tread)[0]
-    speed = np.sqrt(np.real(top.shear_modulus(np.zeros(()))) / top.density)
-    return float(4 * top.thickness / speed)
+    zero = np.zeros(())
+    return float(
+        sum(
+            4 * layer.thickness / np.sqrt(np.real(layer.shear_modulus(zero)) / layer.density)
+            for layer in layers
+        )
+    )

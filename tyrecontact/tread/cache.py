@@ -30,12 +30,27 @@ def directory() -> Path:
 
 
 def passive(
-    layers: Sequence[Layer], shape: tuple[int, int], spacing: float, time_step: float, lags: int
+    layers: Sequence[Layer],
+    shape: tuple[int, int],
+    spacing: float,
+    time_step: float,
+    lags: int,
+    quadrature: str = "BDF2",
 ) -> Kernel:
     """`kernels.passive`, from the disk if it is there."""
-    frequency = np.append(kernels.quadrature_frequencies(time_step, lags), 0)
-    key = fingerprint("passive", layers, shape, spacing, time_step, lags, frequency)
-    return _kept(key, lambda: kernels.passive(layers, shape, spacing, time_step, lags))
+    frequency = np.append(kernels.quadrature_frequencies(time_step, lags, quadrature), 0)
+    method = "passive" if quadrature == "BDF2" else f"passive {quadrature}"
+    key = fingerprint(method, layers, shape, spacing, time_step, lags, frequency)
+    return _kept(key, lambda: kernels.passive(layers, shape, spacing, time_step, lags, quadrature))
+
+
+def passive_mobility(
+    layers: Sequence[Layer], shape: tuple[int, int], spacing: float, time_step: float, lags: int
+) -> Kernel:
+    """`kernels.passive_mobility`, from the disk if it is there."""
+    frequency = kernels.band_frequencies(time_step, lags)
+    key = fingerprint("passive-mobility", layers, shape, spacing, time_step, lags, frequency)
+    return _kept(key, lambda: kernels.passive_mobility(layers, shape, spacing, time_step, lags))
 
 
 def band_limited(

@@ -24,6 +24,8 @@ from scipy import fft, special
 _ALIASES = 6
 #: steps of ln k between the wavenumbers where C is computed: fine where waves travel
 _FINE_STEP, _COARSE_STEP = 0.02, 0.06
+#: frequencies taken at a time, so that fine lattices fit into memory
+BLOCK = 32
 #: wavenumber x element side above which C(k) is smooth
 _SMOOTH_ABOVE = 3.0
 
@@ -58,16 +60,18 @@ class ElementLattice:
 
     def bytes_needed(self, frequencies: int) -> float:
         """Memory that a kernel of so many frequencies takes to make, roughly."""
-        symbol = (self.period // 2 + 1) ** 2
-        nodes = self.wavenumbers.size
-        return 8.0 * symbol * nodes + 16.0 * frequencies * (3 * symbol + 40 * nodes)
+        half = self.period // 2 + 1
+        weights = 8.0 * half * (half + 1) / 2 * self.wavenumbers.size
+        one_block = 16.0 * BLOCK * (3 * half**2 + 40 * self.wavenumbers.size)
+        return weights + one_block + 48.0 * frequencies * self.shape[0] * self.shape[1]
 
     def kernel(self, compliance: np.ndarray) -> np.ndarray:
         """Element compliance g [m/N] by offset, from C(k) at `wavenumbers`.
 
         Parameters
         ----------
-        compliance : C [m/Pa], shape (wavenumbers, frequencies), complex.
+        compliance : C [m/Pa], shape (wavenumbers, frequencies), complex; some `BLOCK`
+            frequencies at a time take little memory.
 
         Returns
         -------
@@ -75,19 +79,18 @@ class ElementLattice:
         from a unit force.
         """
         half = self.period // 2 + 1
-        symbol = self.symbol(compliance).reshape(half, half, -1)
-        ny, nx = self.shape
-        # even in x and y, so that the Fourier sum over a period is a cosine transform (DCT-I)
-        parts = [
-            fft.dctn(part, type=1, axes=(0, 1))[:ny, :nx] for part in (symbol.real, symbol.imag)
-        ]
+        row, column = np.indices((half, half))
+        larger, smaller = np.maximum(row, column), np.minimum(row, column)
+        packed = larger * (larger + 1) // 2 + smaller
+        # elements beyond half a period are far: the symmetry of the period serves there
+        fold = [np.minimum(np.arange(n), self.period - np.arange(n)) for n in self.shape]
         area = (self.period * self.spacing) ** 2
-        return np.moveaxis(parts[0] + 1j * parts[1], -1, 0) / area
-
-    def symbol(self, compliance: np.ndarray) -> np.ndarray:
-        """Fourier symbol of the lattice [m3/Pa / m2], shape (half^2, frequencies)."""
-        weights = _symbol_weights(self)
-        return weights @ compliance.real + 1j * (weights @ compliance.imag)
+        result = np.empty((compliance.shape[1], *self.shape), complex)
+        for part, values in ((result.real, compliance.real), (result.imag, compliance.imag)):
+            for place, symbol in zip(part, values.T @ _symbol_weights(self).T, strict=True):
+                # even in x and y, so that the Fourier sum is a cosine transform (DCT-I)
+                place[...] = fft.dctn(symbol[packed], type=1)[np.ix_(*fold)] / area
+        return result
 
 
 def _count(low: float, high: float, step: float) -> int:
@@ -96,20 +99,25 @@ def _count(low: float, high: float, step: float) -> int:
 
 @lru_cache(maxsize=2)
 def _symbol_weights(lattice: ElementLattice) -> np.ndarray:
-    """Matrix from C(k) at the wavenumbers to the symbol at (q_y, q_x), q = 2 pi i / period."""
+    """Matrix from C(k) at the wavenumbers to the Fourier symbol [m3/Pa / m2] of the lattice.
+
+    A row stands for a wavenumber (q_y, q_x) of the lattice, q = 2 pi i / period, with
+    q_x <= q_y: the symbol is symmetric.
+    """
     nodes = lattice.wavenumbers
     fraction = np.arange(lattice.period // 2 + 1) / lattice.period
     aliases = np.arange(-_ALIASES, _ALIASES + 1)
-    kx = fraction[:, None] + aliases
-    weights = np.zeros((fraction.size**2, nodes.size))
+    weights = np.zeros((fraction.size * (fraction.size + 1) // 2, nodes.size))
+    last = 0
     for row, fy in enumerate(fraction):
-        ky = (fy + aliases)[None, :, None]
-        wavenumber = 2 * np.pi / lattice.spacing * np.hypot(ky, kx[:, None, :])
-        weight = (np.sinc(ky) * np.sinc(kx[:, None, :])) ** 2
-        block = slice(row * fraction.size, (row + 1) * fraction.size)
-        shape = (fraction.size, aliases.size**2)
-        weights[block] = _interpolated(nodes, wavenumber.reshape(shape), weight.reshape(shape))
-    weights[:, -1] += (_tail(fraction) * nodes[-1] * lattice.spacing).ravel()
+        ky, kx = (fy + aliases)[None, :, None], (fraction[: row + 1, None] + aliases)[:, None, :]
+        wavenumber = 2 * np.pi / lattice.spacing * np.hypot(ky, kx)
+        weight = (np.sinc(ky) * np.sinc(kx)) ** 2
+        first, last = last, last + row + 1
+        shape = (row + 1, aliases.size**2)
+        weights[first:last] = _interpolated(nodes, wavenumber.reshape(shape), weight.reshape(shape))
+    rest = _tail(fraction)[np.tril_indices(fraction.size)]
+    weights[:, -1] += rest * nodes[-1] * lattice.spacing
     return weights
 
 
@@ -123,15 +131,16 @@ def _interpolated(nodes: np.ndarray, k: np.ndarray, weight: np.ndarray) -> np.nd
     k = np.where(positive, k, nodes[1])
     log_k = np.log(k)
     first = np.clip(np.searchsorted(log_nodes, log_k) - 2, 0, log_nodes.size - 4)
-    rows = np.zeros((k.shape[0], nodes.size))
-    row = np.arange(k.shape[0])[:, None]
+    rows = np.zeros(k.shape[0] * nodes.size)
+    place = np.arange(k.shape[0])[:, None] * nodes.size + first + 1
     for i in range(4):
         basis = weight * positive * nodes[1:][first + i] / k
         for j in range(4):
             if j != i:
                 x_i, x_j = log_nodes[first + i], log_nodes[first + j]
                 basis = basis * (log_k - x_j) / (x_i - x_j)
-        np.add.at(rows, (row, first + i + 1), basis)
+        rows += np.bincount((place + i).ravel(), basis.ravel(), minlength=rows.size)
+    rows = rows.reshape(k.shape[0], nodes.size)
     rows[:, 0] = (weight * ~positive).sum(axis=1)
     return rows
 

@@ -15,8 +15,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tyrecontact.errors import InputError
-from tyrecontact.tread.elements import ElementLattice
+from tyrecontact.errors import InputError, unknown_name
+from tyrecontact.tread.elements import BLOCK, ElementLattice
 from tyrecontact.tread.materials import Layer
 from tyrecontact.tread.plate import surface_compliance
 from tyrecontact.tread.stability import critical_angle, critical_stiffness, hermitian_symbol
@@ -30,10 +30,13 @@ __all__ = [
     "hermitian_symbol",
     "interpolated",
     "passive",
+    "passive_mobility",
     "quadrature_frequencies",
     "static",
 ]
 
+#: convolution quadratures of `passive`
+QUADRATURES = ("BDF1", "BDF2")
 #: a kernel whose making takes more memory is refused
 MAX_BYTES = 8e9
 
@@ -70,11 +73,13 @@ def passive(
     spacing: float,
     time_step: float,
     lags: int = 256,
+    quadrature: str = "BDF2",
 ) -> Kernel:
-    """Kernel by convolution quadrature (BDF2): energy-stable, and exact in the statics.
+    """Kernel by convolution quadrature: energy-stable, and exact in the statics.
 
         g_n = 1 / (L r^n) sum_l C(delta(zeta_l) / dt) e^{2 pi i n l / L},
-        zeta_l = r e^{-2 pi i l / L},  L = 2 lags,  r = eps^(1/L),  delta = (1 - z) + (1 - z)^2 / 2
+        zeta_l = r e^{-2 pi i l / L},  L = 2 lags,  r = eps^(1/L),
+        delta = (1 - z) + (1 - z)^2 / 2 (BDF2, second order in dt)  or  1 - z (BDF1, first order)
 
     What the plate has still to creep after the last lag is spread over the last quarter of the
     lags, so that the kernel's sum is the static compliance. (Added to a single lag it would come
@@ -83,18 +88,43 @@ def passive(
 
     Parameters
     ----------
-    layers : from the top down, rigid below the last.
+    layers : from the top down, rigid below the last; their moduli causal, for complex s.
     shape : (ny, nx) elements.  spacing : their side [m].
     time_step : [s].  lags : number of lags kept.
+    quadrature : "BDF2" or "BDF1".
 
     Source: C. Lubich, Numer. Math. 52 (1988) 129-145 and 413-425.
     """
-    frequency = quadrature_frequencies(time_step, lags)
+    frequency = quadrature_frequencies(time_step, lags, quadrature)
     spectrum = _element_spectrum(np.append(frequency, 0), layers, shape, spacing)
     growth = _contour_radius(lags) ** -np.arange(lags)
     values = np.fft.irfft(spectrum[:-1], n=2 * lags, axis=0)[:lags] * growth[:, None, None]
     values += np.multiply.outer(_tail_window(lags), spectrum[-1].real - values.sum(axis=0))
     return Kernel(values, spacing, time_step)
+
+
+def passive_mobility(
+    layers: Sequence[Layer],
+    shape: tuple[int, int],
+    spacing: float,
+    time_step: float,
+    lags: int = 256,
+) -> Kernel:
+    """Kernel by "two times the real part" of the mobility i w C, and a backward sum.
+
+        m_n = 2 x causal half of the inverse transform of Re(i w C),   g_n = dt sum_(j<=n) m_j
+
+    (1 - z^-1) G(z) is then dt M(z), whose Hermitian part is Re(i w C) >= 0 at every frequency of
+    the transform: energy-stable for any layers with losses, a tabulated modulus included. What it
+    pays is the statics, as the mobility above half the sampling rate is missing: for the default
+    tread at 51.2 kHz an element's own compliance at rest is 16 % low, that of the patch 3 % high.
+
+    Parameters as `band_limited`.
+    """
+    frequency = band_frequencies(time_step, lags)
+    spectrum = _element_spectrum(frequency, layers, shape, spacing)
+    mobility = (frequency[:, None, None] * spectrum).real
+    return Kernel(time_step * _causal_half(mobility).cumsum(axis=0), spacing, time_step)
 
 
 def band_limited(
@@ -111,13 +141,11 @@ def band_limited(
     Nyquist frequency its transform is Re C alone, which is not positive: the plate is mass-like
     there. That is why time stepping with it is unstable on stiff springs (`critical_stiffness`).
 
-    Parameters as `passive`.
+    Parameters as `passive`; moduli need be known at s = 2 pi i f alone.
     """
     frequency = band_frequencies(time_step, lags)
     spectrum = _element_spectrum(frequency, layers, shape, spacing)
-    values = 2 * np.fft.irfft(spectrum.real, n=2 * lags, axis=0)[:lags]
-    values[0] /= 2
-    return Kernel(values, spacing, time_step)
+    return Kernel(_causal_half(spectrum.real), spacing, time_step)
 
 
 def static(layers: Sequence[Layer], shape: tuple[int, int], spacing: float) -> Kernel:
@@ -143,17 +171,27 @@ def interpolated(kernel: Kernel, factor: int) -> Kernel:
     return replace(kernel, values=values / factor, time_step=kernel.time_step / factor)
 
 
-def quadrature_frequencies(time_step: float, lags: int) -> np.ndarray:
+def quadrature_frequencies(time_step: float, lags: int, quadrature: str = "BDF2") -> np.ndarray:
     """Where `passive` needs the compliance: delta(zeta_l) / dt [1/s], shape (lags + 1,)."""
     _require_time(time_step, lags)
-    zeta = _contour_radius(lags) * np.exp(-1j * np.pi * np.arange(lags + 1) / lags)
-    return ((1 - zeta) + (1 - zeta) ** 2 / 2) / time_step
+    if quadrature not in QUADRATURES:
+        raise unknown_name("quadrature", quadrature, QUADRATURES)
+    backward = 1 - _contour_radius(lags) * np.exp(-1j * np.pi * np.arange(lags + 1) / lags)
+    return (backward + (backward**2 / 2 if quadrature == "BDF2" else 0)) / time_step
 
 
 def band_frequencies(time_step: float, lags: int) -> np.ndarray:
     """Where `band_limited` needs the compliance: 2 pi i f [1/s], f up to 1 / (2 dt)."""
     _require_time(time_step, lags)
     return 2j * np.pi * np.fft.rfftfreq(2 * lags, time_step)
+
+
+def _causal_half(spectrum: np.ndarray) -> np.ndarray:
+    """Twice the causal half of the inverse transform of a real spectrum, the first sample once."""
+    lags = spectrum.shape[0] - 1
+    values = 2 * np.fft.irfft(spectrum, n=2 * lags, axis=0)[:lags]
+    values[0] /= 2
+    return values
 
 
 def _tail_window(lags: int) -> np.ndarray:
@@ -185,7 +223,13 @@ def _element_spectrum(
             "use fewer lags, fewer elements or thinner layers"
         )
     k = lattice.wavenumbers[:, None]
-    return lattice.kernel(surface_compliance(k, laplace_frequency[None, :], layers))
+    spectrum = np.empty((laplace_frequency.size, *shape), complex)
+    for first in range(0, laplace_frequency.size, BLOCK):
+        block = slice(first, first + BLOCK)
+        spectrum[block] = lattice.kernel(
+            surface_compliance(k, laplace_frequency[None, block], layers)
+        )
+    return spectrum
 
 
 def _require_time(time_step: float, lags: int) -> None:

@@ -21,6 +21,11 @@ def _require_positive(value: float, what: str, unit: str) -> None:
         raise InputError(f"{what} must be positive and finite, got {value} {unit}")
 
 
+def _require_exponent(value: float) -> None:
+    if not 0 < value <= 1:
+        raise InputError(f"exponent must lie in (0, 1], got {value}")
+
+
 @dataclass(frozen=True)
 class FractionalKelvinVoigt:
     """E(s) = E0 [1 + (s tau)^alpha], causal, with a power law of loss (physics, section 4).
@@ -42,12 +47,51 @@ class FractionalKelvinVoigt:
     def __post_init__(self) -> None:
         _require_positive(self.static_modulus, "static_modulus", "Pa")
         _require_positive(self.relaxation_time, "relaxation_time", "s")
-        if not 0 < self.exponent <= 1:
-            raise InputError(f"exponent must lie in (0, 1], got {self.exponent}")
+        _require_exponent(self.exponent)
 
     def __call__(self, laplace_frequency: np.ndarray) -> np.ndarray:
         s = np.asarray(laplace_frequency, dtype=complex)
         return self.static_modulus * (1 + (s * self.relaxation_time) ** self.exponent)
+
+
+@dataclass(frozen=True)
+class FractionalZener:
+    """E(s) = E0 + (Einf - E0) (s tau)^alpha / [1 + (s tau)^alpha]: causal, glassy at the end.
+
+    No causal material that stiffens from E0 to Einf has a larger loss factor than this one at
+    alpha = 1, (Einf - E0) / (2 sqrt(E0 Einf)).
+
+    Attributes
+    ----------
+    static_modulus : E0 [Pa].
+    glassy_modulus : Einf >= E0 [Pa].
+    relaxation_time : tau [s].
+    exponent : alpha [-], 0 < alpha <= 1.
+
+    Source: R. L. Bagley and P. J. Torvik, AIAA J. 21 (1983) 741-748.
+    """
+
+    static_modulus: float = 25e6
+    glassy_modulus: float = 50e6
+    relaxation_time: float = 3.717e-6
+    exponent: float = 0.6091
+
+    def __post_init__(self) -> None:
+        _require_positive(self.static_modulus, "static_modulus", "Pa")
+        _require_positive(self.glassy_modulus, "glassy_modulus", "Pa")
+        _require_positive(self.relaxation_time, "relaxation_time", "s")
+        _require_exponent(self.exponent)
+        if self.glassy_modulus < self.static_modulus:
+            raise InputError(
+                f"glassy_modulus must be at least static_modulus, {self.static_modulus:g} Pa, "
+                f"got {self.glassy_modulus:g} Pa"
+            )
+
+    def __call__(self, laplace_frequency: np.ndarray) -> np.ndarray:
+        s = np.asarray(laplace_frequency, dtype=complex)
+        power = (s * self.relaxation_time) ** self.exponent
+        rise = self.glassy_modulus - self.static_modulus
+        return self.static_modulus + rise * power / (1 + power)
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,15 @@
 
 from tyrecontact.assembly.checks import require_consistent
 from tyrecontact.assembly.process import loading_path
-from tyrecontact.assembly.road import road_patch, roughness_springs
+from tyrecontact.assembly.road import road_patch, road_scan, road_understood, roughness_springs
 from tyrecontact.assembly.tread import tread_kernel, tread_layers
 
 __all__ = [
     "loading_path",
     "require_consistent",
     "road_patch",
+    "road_scan",
+    "road_understood",
     "roughness_springs",
     "tread_kernel",
     "tread_layers",

@@ -21,6 +21,14 @@ _worn, _self_affine, _clipped = (
 )
 
 
+@lru_cache(maxsize=2)
+def _isotropic(heights: bytes, pitch: float, size: float, seed: int) -> Patch:
+    """An isotropic road, by the heights of its profile: a file may change under its name."""
+    made = isotropic.from_profile(np.frombuffer(heights), pitch, size, seed)
+    made.heights.flags.writeable = False  # it is shared
+    return made
+
+
 def road_patch(road: Road) -> Patch:
     """The patch of road that a scenario asks for, cut to its size.
 
@@ -56,7 +64,7 @@ def _measured(road: Road) -> Patch:
     scan = road_scan(road)
     if scan.is_profile and road.profile_use == "isotropic":
         whole = prepare.filled(scan, road.fill_limit)
-        return isotropic.from_profile(whole.heights, whole.pitch, road.size, road.seed)
+        return _isotropic(whole.heights.tobytes(), whole.pitch, road.size, road.seed)
     part = prepare.filled(
         prepare.cut(scan, road.size, road.centre_x, road.centre_y), road.fill_limit
     )

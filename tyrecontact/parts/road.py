@@ -20,15 +20,15 @@ class Road(Part):
     height_unit = Choice("", ["", "m", "mm", "um"], "Unit of the heights in the file")
     height_direction = Choice("up", ["up", "down"], "Which way the heights of the file are counted")
     trim_start = Quantity(
-        0.0, (0.0, 1e4), "m", "Taken off the start of a profile: reference plate, run-in", _MM
+        0.0, (0.0, 1e3), "m", "Taken off the start of a profile: reference plate, run-in", _MM
     )
-    trim_end = Quantity(0.0, (0.0, 1e4), "m", "Taken off the end of a profile", _MM)
+    trim_end = Quantity(0.0, (0.0, 1e3), "m", "Taken off the end of a profile", _MM)
     levelling = Choice("plane", ["none", "plane"], "What is taken off a measured road first")
     fill_limit = Quantity(
         0.1, (0.0, 0.9), "", "Largest share of missing heights that is filled from around them"
     )
-    centre_x = Quantity(0.0, (-1e4, 1e4), "m", "Patch off the middle of the file, along x", _MM)
-    centre_y = Quantity(0.0, (-1e4, 1e4), "m", "Patch off the middle of the file, along y", _MM)
+    centre_x = Quantity(0.0, (-1e3, 1e3), "m", "Patch off the middle of the file, along x", _MM)
+    centre_y = Quantity(0.0, (-1e3, 1e3), "m", "Patch off the middle of the file, along y", _MM)
     profile_use = Choice(
         "corrugated",
         ["corrugated", "isotropic"],

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse.linalg import spsolve
+from scipy.sparse.linalg import splu
 
 from tyrecontact.errors import InputError
 from tyrecontact.road.scan import Scan
@@ -137,7 +137,14 @@ def _harmonic(heights: np.ndarray, missing: np.ndarray) -> np.ndarray:
     row, column = np.concatenate(rows), np.concatenate(columns)
     neighbours = sparse.csc_matrix((np.ones(len(row)), (row, column)), shape=(count, count))
     result = heights.copy()
-    result[missing] = spsolve(sparse.diags(degree, format="csc") - neighbours, given)
+    # symmetric and positive definite: an ordering for that, and no pivots off the diagonal
+    factors = splu(
+        sparse.diags(degree, format="csc") - neighbours,
+        permc_spec="MMD_AT_PLUS_A",
+        diag_pivot_thresh=0.0,
+        options={"SymmetricMode": True},
+    )
+    result[missing] = factors.solve(given)
     return result
 
 

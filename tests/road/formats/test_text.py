@@ -82,6 +82,15 @@ def test_a_profilometers_lines_tell_pitch_and_unit(tmp_path: Path, name: str, en
     )
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "cp1252"])
+def test_micrometres_are_known_in_any_encoding(tmp_path: Path, encoding: str) -> None:
+    content = "Position [mm];Height [µm]\n0.0;1\n0.5;2\n1.0;4\n"
+    (tmp_path / "a.csv").write_bytes(content.encode(encoding))
+    found = scans.read(tmp_path / "a.csv")
+    assert (found.unit, found.pitch) == ("um", pytest.approx(0.5e-3))
+    np.testing.assert_allclose(found.heights, [1e-6, 2e-6, 4e-6])
+
+
 def test_what_the_user_gives_overrides_what_a_file_carries_and_is_said(tmp_path: Path) -> None:
     path = written(tmp_path / "a.dat", PROFILE + lines())
     same = scans.read(path, 37.5e-6, "mm")

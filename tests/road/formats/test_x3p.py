@@ -140,6 +140,9 @@ def test_bombs_are_refused_by_their_size_before_they_are_unpacked(
     path = archive(tmp_path / "a.x3p", main_xml(" " * 5_000_000))
     assert path.stat().st_size < 10_000
     assert "main.xml in a.x3p must unpack to at most 1000000 bytes, got 500" in refusal(path)
+    monkeypatch.setattr(x3p, "MAX_ELEMENTS", 1000)
+    path = archive(tmp_path / "c.x3p", main_xml("<a/>" * 1000))
+    assert "must have at most 1000 elements" in refusal(path)
     path = archive(tmp_path / "b.x3p", main_xml(LINK.format("")), data=bytes(5_000_000))
     assert "must unpack to at most 280 bytes, got 5000000" in refusal(path)
 

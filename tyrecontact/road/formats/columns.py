@@ -14,7 +14,8 @@ from tyrecontact.road.scan import UNITS
 
 _HEIGHT = re.compile(r"height|depth|elevation|level|texture|profile|^z\b", re.IGNORECASE)
 _DISTANCE = re.compile(r"distance|position|chainage|station|^x\b", re.IGNORECASE)
-_UNIT = re.compile(r"[(\[]\s*(mm|[uµμ]m|m)\s*[)\]]")
+#: the last of the signs before m is a µ in an encoding that was not understood
+_UNIT = re.compile(r"[(\[]\s*(mm|[uµμ\ufffd]m|m)\s*[)\]]")
 #: distances may differ from equal steps by this share of a step (they are rounded in the file)
 _REGULAR = 0.1
 
@@ -106,7 +107,7 @@ def _found(
 
 def _unit(name: str) -> str | None:
     found = _UNIT.search(name)
-    return found[1].replace("µ", "u").replace("μ", "u") if found else None
+    return re.sub("[µμ\ufffd]", "u", found[1]) if found else None
 
 
 def _spacing(distance: np.ndarray, path: Path) -> float:

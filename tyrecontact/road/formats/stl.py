@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gzip
+import io
+from array import array
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +15,7 @@ from tyrecontact.road.formats.raw import Asked, Raw
 from tyrecontact.road.gridding import largest_square
 
 #: a file with more bytes than this, unpacked, is refused
-MAX_BYTES = 400_000_000
+MAX_BYTES = 200_000_000
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
@@ -43,10 +45,13 @@ def _triangles(content: bytes, path: Path) -> tuple[np.ndarray, str]:
         raise InputError(
             f"{path.name} must be an STL file, got {len(content)} bytes for {count} triangles"
         )
-    vertices = [line.split()[1:4] for line in content.split(b"\n") if b"vertex" in line]
-    if not vertices or len(vertices) % 3 or b"endsolid" not in content[-400:]:
+    corners = array("d")  # lists of so many numbers would take ten times the room
+    for line in io.BytesIO(content):
+        if line.lstrip().startswith(b"vertex"):
+            corners.extend(map(float, line.split()[1:4]))
+    if not corners or len(corners) % 9 or b"endsolid" not in content[-400:]:
         raise InputError(
             f"{path.name} must hold whole triangles up to its 'endsolid', got "
-            f"{len(vertices)} corners"
+            f"{len(corners)} coordinates"
         )
-    return np.array(vertices, float).reshape(-1, 3, 3), "STL, text"
+    return np.array(corners).reshape(-1, 3, 3), "STL, text"

@@ -60,7 +60,8 @@ def opened(path: Path) -> Iterator[Iterator[str]]:
         )
     packed = path.suffix.lower() == ".gz"
     opener = gzip.open if packed else open
-    with opener(path, "rt", encoding="utf-8-sig") as file:
+    # old instruments write µ in other encodings; such a mark in a number is refused as no number
+    with opener(path, "rt", encoding="utf-8-sig", errors="replace") as file:
         yield _limited(file, path) if packed else iter(file)
 
 

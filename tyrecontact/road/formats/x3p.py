@@ -7,6 +7,7 @@ lowest bit first.
 from __future__ import annotations
 
 import hashlib
+import itertools
 import zipfile
 from pathlib import Path
 from xml.etree import ElementTree
@@ -21,6 +22,8 @@ from tyrecontact.road.formats.raw import Asked, Raw, require_size, require_squar
 _TYPES = {"I": "<i2", "L": "<i4", "F": "<f4", "D": "<f8"}
 #: a main.xml with more bytes than this is refused (heights as text are 25 bytes each)
 MAX_XML_BYTES = 100_000_000
+#: a main.xml with more elements than this is refused: each takes a hundred bytes of memory
+MAX_ELEMENTS = 2_000_000
 
 
 def read(path: Path, _: Asked) -> Raw:
@@ -71,14 +74,22 @@ def _member(archive: zipfile.ZipFile, name: str, most: int, path: Path) -> bytes
 
 
 def _parsed(raw: bytes, path: Path) -> ElementTree.Element:
-    """The tree of a document that declares nothing: entities are how XML is made a bomb."""
+    """The tree of a document; one that declares entities or has no end is refused before."""
+    count = itertools.count(1)
 
-    def refuse(*_: object) -> None:
+    def declared(*_: object) -> None:
         raise InputError(f"main.xml in {path.name} must have no DOCTYPE and no entities")
 
+    def begun(*_: object) -> None:
+        if next(count) > MAX_ELEMENTS:
+            raise InputError(
+                f"main.xml in {path.name} must have at most {MAX_ELEMENTS:g} elements, got more "
+                "(larger maps are stored in binary)"
+            )
+
     first = expat.ParserCreate()
-    first.StartDoctypeDeclHandler = refuse
-    first.EntityDeclHandler = refuse
+    first.StartDoctypeDeclHandler = first.EntityDeclHandler = declared
+    first.StartElementHandler = begun
     first.Parse(raw, True)
     return ElementTree.fromstring(raw)
 

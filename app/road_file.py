@@ -10,7 +10,9 @@ import panel_material_ui as pmui
 import param
 
 from tyrecontact.errors import InputError, unknown_name
-from tyrecontact.road import scans
+from tyrecontact.road import prepare, scans
+from tyrecontact.road.formats import instruments
+from tyrecontact.road.understood import understood
 
 #: an upload with more bytes than this is refused
 MAX_BYTES = 64_000_000
@@ -35,7 +37,7 @@ class RoadFile:
         self._name = ""
         self.file = pmui.FileInput(
             label="Road file",
-            accept=",".join(scans.ENDINGS),
+            accept=",".join((*scans.ENDINGS, ".gz", *instruments.ENDINGS)),
             sizing_mode="stretch_width",
         )
         self.pitch = pmui.FloatInput(
@@ -73,9 +75,9 @@ class RoadFile:
         if not content:
             return
         self.forget()
-        ending = Path(name).suffix.lower()
-        if ending not in scans.ENDINGS:
-            self._reject(str(unknown_name("kind of road file", ending, scans.ENDINGS)))
+        ending, known = scans.ending(name), (*scans.ENDINGS, *instruments.ENDINGS)
+        if ending not in known:
+            self._reject(str(unknown_name("kind of road file", ending, known)))
             return
         if len(content) > MAX_BYTES:
             size = f"{len(content) / 1e6:.0f} MB"
@@ -96,20 +98,20 @@ class RoadFile:
     def _understand(self) -> None:
         if self._path is None:
             return
-        if not self.pitch.value or not self.unit.value:
-            self._take("", 0.0, "")
-            self.status.object = f"{self._name}: give its pitch and the unit of its heights."
-            return
-        pitch = self.pitch.value * 1e-6
+        pitch, unit = (self.pitch.value or 0.0) * 1e-6, self.unit.value or ""
         try:
-            patch = scans.read(self._path, pitch=pitch, unit=self.unit.value)
-            self._take(str(self._path), pitch, self.unit.value)
+            found = understood(
+                prepare.levelled(scans.read(self._path, pitch or None, unit or None))
+            )
+        except scans.NotCarriedError as error:
+            self._take("", 0.0, "")
+            asked = str(error).replace(self._path.name, "the file")
+            self.status.object = (
+                f"{self._name}: give its pitch and the unit of its heights ({asked})."
+            )
+            return
         except InputError as error:
             self._reject(str(error).replace(self._path.name, self._name))
             return
-        height, width = patch.extent
-        self.status.object = (
-            f"{self._name}: {width * 1e3:.3g} x {height * 1e3:.3g} mm, "
-            f"rms {patch.rms * 1e6:.3g} µm, rms slope {patch.rms_slope:.2g}, "
-            f"skewness {patch.skewness:.2g}."
-        )
+        self._take(str(self._path), pitch, unit)
+        self.status.object = f"{self._name}: {found.sentence()}"

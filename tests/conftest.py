@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -46,3 +48,15 @@ def preset_run(_own_cache: None) -> Callable[[str], Results]:
         return Simulation(presets.get(name)).run()
 
     return run
+
+
+@pytest.fixture(scope="session")
+def measured() -> Path:
+    """Folder of measured surfaces, beside the project or where TYRECONTACT_DATA says."""
+    beside = Path(__file__).resolve().parents[2] / "shared" / "data"
+    folder = Path(os.environ.get("TYRECONTACT_DATA", beside))
+    if not folder.is_dir():
+        pytest.skip(
+            f"the measured surfaces are not at {folder} (TYRECONTACT_DATA names the folder)"
+        )
+    return folder

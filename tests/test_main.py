@@ -218,3 +218,39 @@ def test_the_module_runs_as_a_program() -> None:
     assert (listed.stdout[:8], listed.stderr) == ("default ", "")
     wrong = subprocess.run([*call, "run", "nope"], capture_output=True, text=True, check=False)
     assert (wrong.returncode, wrong.stdout) == (2, "")
+
+
+def line_of(path: Path, named: bool = True) -> str:
+    """A profile of 90 mm in a text file, with or without names of its columns."""
+    rows = "".join(f"{n * 0.1:.1f} {n % 7 * 0.01:.2f}\n" for n in range(900))
+    path.write_text(("distance (mm)  height (mm)\n" if named else "") + rows)
+    return str(path)
+
+
+def test_what_is_understood_of_a_road_file_is_told(capsys: Capture, tmp_path: Path) -> None:
+    file = line_of(tmp_path / "line.txt")
+    assert main(["road", file]) == 0
+    out = capsys.readouterr().out
+    for part in (
+        "line.txt: profile", "pitch               100 µm (file)", "unit of heights     mm (file)",
+        "mean profile depth  ", "- levelled: ", "patch               a patch of 20 mm, rms ",
+    ):  # fmt: skip
+        assert part in out
+    found = printed(capsys, ["road", file, "--set", "trim_start=0.01", "--set", "size=0.2"])
+    assert found["extent"] == [pytest.approx(0.08)]
+    assert found["patch"].startswith("none: road must cover 200 x 200 mm")
+
+
+def test_a_road_file_is_asked_for_what_it_does_not_carry(capsys: Capture, tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_text("\n".join(" ".join(["1 2 3"] * 20) for _ in range(60)))
+    file = str(tmp_path / "a.txt")
+    assert "pitch must be given" in refused(capsys, ["road", file])
+    assert "unit must be given" in refused(capsys, ["road", file, "--pitch", "1e-4"])
+    assert "unit" in refused(capsys, ["road", file, "--pitch", "1e-4", "--unit", "nm"])
+    assert "columns must be named" in refused(
+        capsys, ["road", line_of(tmp_path / "b.txt", named=False), "--pitch", "1e-4"]
+    )
+    assert "road file must be readable" in refused(capsys, ["road", str(tmp_path / "c.x3p")])
+    assert "must be given as name=value" in refused(capsys, ["road", file, "--set", "size"])
+    found = printed(capsys, ["road", file, "--pitch", "1e-4", "--unit", "um"])
+    assert (found["pitch_origin"], found["unit_origin"]) == ("given", "given")

@@ -172,3 +172,16 @@ def test_a_cycle_without_adhesion_dissipates_and_creates_no_energy() -> None:
     top = results.indentation.argmax() + 1
     loading = np.trapezoid(results.contact_force[:top], results.indentation[:top])
     assert 0.01 * loading < work < loading
+
+
+@pytest.mark.parametrize("name", ["road-iso-10844", "road-sma-11", "road-dac-16"])
+def test_illustrative_roads_change_the_road_alone_and_run_through(
+    preset_run: Runs, name: str
+) -> None:
+    changed, plain = presets.get(name).to_dict(), Scenario().to_dict()
+    assert {part for part in plain if changed[part] != plain[part]} == {"road"}
+    assert "illustrative" in presets.caption(name)
+    results = preset_run(name)
+    assert results.stop_reason == "completed"
+    assert results.converged.all()
+    assert 0 < results.contact_force.max() < force_at(preset_run("default"), 0.2e-3)  # rougher

@@ -178,7 +178,7 @@ def test_what_a_consumer_recorded_is_collected(quick: Scenario) -> None:
 def from_file(scenario: Scenario, heights: np.ndarray, pitch: float, file: Path) -> Results:
     np.save(file, heights)
     scenario = scenario.copy()
-    scenario.road.param.update(file=str(file), pitch=pitch, height_unit="m")
+    scenario.road.param.update(file=str(file), pitch=pitch, height_unit="m", levelling="none")
     return Simulation(scenario).run()
 
 

@@ -1,4 +1,4 @@
-"""The command line: presets, settings and runs."""
+"""The command line: presets, settings, runs, and what is understood of a road file."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from tyrecontact import presets
+from tyrecontact import assembly, presets
 from tyrecontact.errors import InputError, TyreContactError
 from tyrecontact.results import Results
+from tyrecontact.road.scan import UNITS
 from tyrecontact.scenario import Scenario, read_tables
 from tyrecontact.settings import Tables
 from tyrecontact.simulation import Simulation
@@ -50,7 +51,21 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--output", type=Path, metavar="FILE.nc", help="write the run as netCDF")
     run.add_argument("--json", action="store_true", help="print the headline figures as JSON")
     run.set_defaults(command=_run)
+    _add_road(commands)
     return parser
+
+
+def _add_road(commands: argparse._SubParsersAction) -> None:
+    road = commands.add_parser("road", help="tell what is understood of a road file")
+    road.add_argument("file", metavar="FILE")
+    road.add_argument("--pitch", type=float, metavar="M", help="distance of its heights [m]")
+    road.add_argument("--unit", metavar="|".join(UNITS), help="unit of its heights")
+    road.add_argument(
+        "--set", action="append", default=[], metavar="name=value", dest="changes",
+        help="change another setting of the road, such as trim_start (SI units)",
+    )  # fmt: skip
+    road.add_argument("--json", action="store_true", help="print it as JSON")
+    road.set_defaults(command=_road)
 
 
 def _presets(_: argparse.Namespace) -> None:
@@ -73,13 +88,36 @@ def _describe(_: argparse.Namespace) -> None:
         print(f"{path} = {default}{' ' + unit if unit else ''}  [{span}]\n    {parameter.doc}")
 
 
-def _run(options: argparse.Namespace) -> None:
-    scenario = _scenario(options.scenario)
-    for change in options.changes:
+def _road(options: argparse.Namespace) -> None:
+    """Say what was understood of a file, and whether the patch can be cut from it."""
+    scenario = Scenario(road={"file": options.file})
+    if options.pitch is not None:
+        scenario.road.pitch = options.pitch
+    if options.unit is not None:
+        scenario.road.height_unit = options.unit
+    _change(scenario, options.changes, "road.")
+    found = assembly.road_understood(scenario.road)
+    try:
+        patch = assembly.road_patch(scenario.road)
+        use = f"a patch of {patch.extent[0] * 1e3:.4g} mm, rms {patch.rms * 1e6:.4g} µm"
+    except InputError as error:
+        use = f"none: {error}"
+    told = json.dumps({**found.to_dict(), "patch": use})
+    print(told if options.json else "\n".join([*found.lines(), f"patch               {use}"]))
+
+
+def _change(scenario: Scenario, changes: Sequence[str], prefix: str = "") -> None:
+    for change in changes:
         path, equals, value = change.partition("=")
         if not equals:
-            raise InputError(f"--set must be given as part.name=value, got {change!r}")
-        scenario.set(path.strip(), value.strip())
+            wanted = "name=value" if prefix else "part.name=value"
+            raise InputError(f"--set must be given as {wanted}, got {change!r}")
+        scenario.set(prefix + path.strip().removeprefix(prefix), value.strip())
+
+
+def _run(options: argparse.Namespace) -> None:
+    scenario = _scenario(options.scenario)
+    _change(scenario, options.changes)
     if options.output is not None:
         _require_writable(options.output)
     began = time.perf_counter()

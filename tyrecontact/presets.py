@@ -69,6 +69,44 @@ def adhesion() -> Scenario:
     )
 
 
+def road_iso_10844() -> Scenario:
+    """A road like the test track of ISO 10844, illustrative: mean profile depth about 0.5 mm."""
+    return _worn_road(6e-3, 0.8e-3, -0.1e-3, 30e-6, 12e-3)
+
+
+def road_sma_11() -> Scenario:
+    """A road like stone mastic asphalt SMA 11, illustrative: mean profile depth about 1 mm."""
+    return _worn_road(11e-3, 1.4e-3, -0.4e-3, 50e-6, 16e-3)
+
+
+def road_dac_16() -> Scenario:
+    """A road like dense asphalt concrete DAC 16, illustrative: mean profile depth about 0.9 mm."""
+    return _worn_road(14e-3, 1.0e-3, -0.45e-3, 80e-6, 16e-3)
+
+
+def _worn_road(
+    stone_size: float,
+    valley_rms: float,
+    valley_offset: float,
+    plateau_rms: float,
+    plateau_wavelength: float,
+) -> Scenario:
+    """A worn road of that texture [m]; its mean profile depth is that of far more than a patch.
+
+    ISO 13473-1 needs 100 mm of road; the patch of 20 mm holds a few stones, so seeds differ much.
+    """
+    return Scenario(
+        road={
+            "texture": "worn",
+            "stone_size": stone_size,
+            "valley_rms": valley_rms,
+            "valley_offset": valley_offset,
+            "plateau_rms": plateau_rms,
+            "plateau_wavelength": plateau_wavelength,
+        }
+    )
+
+
 PRESETS: Mapping[str, Callable[[], Scenario]] = MappingProxyType(
     {
         "default": default,
@@ -78,6 +116,9 @@ PRESETS: Mapping[str, Callable[[], Scenario]] = MappingProxyType(
         "thesis-exchange": thesis_exchange,
         "quasi-static": quasi_static,
         "adhesion": adhesion,
+        "road-iso-10844": road_iso_10844,
+        "road-sma-11": road_sma_11,
+        "road-dac-16": road_dac_16,
     }
 )
 

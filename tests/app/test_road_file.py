@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 from collections.abc import Iterator
 from pathlib import Path
@@ -59,9 +60,9 @@ def test_a_file_is_taken_once_pitch_and_unit_are_known(taken: Taken) -> None:
     [
         ("bad.npy", b"this is not numpy", "must hold a matrix of numbers"),
         ("words.txt", b"one two three\n", "must hold a matrix of numbers"),
-        ("gap.npy", _npy(np.full((9, 9), np.nan)), "must be finite"),
+        ("gap.npy", _npy(np.full((9, 9), np.nan)), "all 81 are missing"),
         ("photo.jpg", b"\xff\xd8\xff", "kind of road file"),
-        ("line.npy", _npy(np.zeros(50)), "2-D"),
+        ("cube.npy", _npy(np.zeros((3, 3, 3))), "2-D"),
     ],
 )
 def test_a_bad_file_is_refused_in_one_sentence_and_not_used(
@@ -75,6 +76,15 @@ def test_a_bad_file_is_refused_in_one_sentence_and_not_used(
     assert "\n" not in taken.refusals[0]
     assert "/tmp" not in taken.refusals[0]
     assert taken.control.status.object.startswith("Not used")
+
+
+def test_a_file_that_carries_pitch_and_unit_needs_neither(taken: Taken) -> None:
+    lines = "distance (mm)\theight (mm)\n" + "".join(f"{n * 0.1:.1f}\t{n % 7}\n" for n in range(90))
+    taken.upload("line.dat.gz", gzip.compress(lines.encode()))
+    path, pitch, unit = taken.roads[-1]
+    assert Path(path).name == "road.dat.gz"
+    assert (pitch, unit) == (0.0, "")
+    assert "pitch 100 µm (file), heights in mm (file)" in taken.control.status.object
 
 
 def test_a_visitors_file_name_cannot_leave_the_sessions_folder(taken: Taken) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import gzip
 import io
 import os
 import pickle
@@ -15,7 +16,8 @@ import numpy as np
 import pytest
 
 from tyrecontact.errors import InputError
-from tyrecontact.road import scans
+from tyrecontact.road import scan, scans
+from tyrecontact.road.formats import text
 
 HEIGHTS = np.random.default_rng(1).standard_normal((5, 4)) * 10
 PITCH = 1e-4
@@ -98,8 +100,10 @@ def test_pitch_unit_and_kind_of_file_must_be_given_and_known(tmp_path: Path) -> 
         assert refusal(path, pitch=pitch) == message
     assert "must be one of m, mm, um, got 'umm' (did you mean 'um'?)" in refusal(path, unit="umm")
     assert refusal(path, unit="MM").endswith("must be one of m, mm, um, got 'MM'")
-    for name in ("a.tif", "a", "a.pickle"):
-        assert ".asc, .csv, .dat, .npy, .npz, .tsv, .txt" in refusal(tmp_path / name)
+    for name in ("a", "a.pickle", "a.gz"):
+        sentence = refusal(tmp_path / name)
+        assert all(f"{ending}, " in sentence for ending in (".csv", ".npy", ".stl.gz", ".x3p"))
+    assert "did you mean '.npy'?" in refusal(tmp_path / "a.ny")
 
 
 @pytest.mark.parametrize("suffix", [".npy", ".npz", ".csv", ".txt"])
@@ -111,13 +115,13 @@ def test_a_file_that_cannot_be_opened_is_refused_by_name(tmp_path: Path, suffix:
 
 NO_MAPS = [
     ("", "is empty"), (" \n\n", "is empty"), ("# only\n# comments\n", "is empty"),
-    ("1 2\n1 2 3\n", "number of columns changed"), ("x y\n1 2\n", "'x'"),
-    ("1,5;2,5\n3,5;4,5\n", "'1,5'"), ("1 2\n3 1+2j\n", "'1+2j'"), (b"1 2\n3 \xb5\n", "decode"),
-    ("1 2 3\n", "at least 2 x 2"), ("1 inf\n2 nan\n", "must be finite, got 2 that are not (50.0%)"),
-    (np.ones(4), "shape (4,)"), (np.ones((2, 2, 2)), "shape (2, 2, 2)"),
+    ("1 2\n1 2 3\n", "number of columns changed"), ("x y\n1 2\n", "got a"),
+    ("1,5;2,5\n3,5;4,5\n", "'1,5'"), ("1 2\n3 1+2j\n", "'1+2j'"), (b"1 2\n3 \xb5\n", "'\ufffd'"),
+    ("1\n", "at least 2 x 2"), ("nan inf\ninf nan\n", "where all 4 are missing"),
+    (np.ones(1), "shape (1,)"), (np.ones((2, 2, 2)), "shape (2, 2, 2)"),
     (np.ones((2, 2), complex), "complex128"), (np.ones((2, 2), bool), "bool"),
     (np.array([["a", "b"], ["c", "d"]]), "<U1"), (np.ones((0, 3)), "at least 2 x 2"),
-    (np.array([[1, np.nan], [2, 3]]), "must be finite, got 1 that are not (25.0%)"),
+    (np.full((9, 9), np.nan), "where all 81 are missing"),
 ]  # fmt: skip
 
 
@@ -154,13 +158,13 @@ def test_too_large_a_map_is_refused_by_its_size(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, suffix: str
 ) -> None:
     """An archive before it is unpacked: its 32 kB of zeros take some 200 bytes."""
-    monkeypatch.setattr(scans, "MAX_HEIGHTS", 1000)
+    monkeypatch.setattr(scan, "MAX_HEIGHTS", 1000)
     content = np.zeros((64, 64)) if suffix != ".csv" else "1 2 3 4 5\n" * 201
     path = stored(tmp_path / f"a{suffix}", content)
     if suffix == ".npz":
         monkeypatch.setattr(np, "load", None)
     assert f"a{suffix} must hold at most 1000 heights, got " in refusal(path)
-    monkeypatch.setattr(scans, "MAX_TEXT_BYTES", 1000)
+    monkeypatch.setattr(text, "MAX_TEXT_BYTES", 1000)
     monkeypatch.setattr(np, "loadtxt", None)  # a long text is not read either
     assert " at most " in refusal(path)
 
@@ -200,12 +204,50 @@ def test_an_archive_named_npy_is_refused_and_closed(tmp_path: Path) -> None:
 
 
 def test_small_numbers_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scans, "MAX_HEIGHTS", 1000)
+    monkeypatch.setattr(scan, "MAX_HEIGHTS", 1000)
     path = stored(tmp_path / "a.npz", np.zeros((64, 64), np.int8))
     assert "a.npz must hold at most 1000 heights, got 4096" in refusal(path)
 
 
-@pytest.mark.parametrize("text", ["1 2 # a, b\n3 4\n", " # a, b\n1 2\n3 4\n", "\ufeff1,2\n3,4\n"])
-def test_comments_and_byte_order_marks_do_not_matter(tmp_path: Path, text: str) -> None:
-    heights = scans.read(stored(tmp_path / "a.csv", text), PITCH, "m").heights
+@pytest.mark.parametrize(
+    "content", ["1 2 # a, b\n3 4\n", " # a, b\n1 2\n3 4\n", "\ufeff1,2\n3,4\n"]
+)
+def test_comments_and_byte_order_marks_do_not_matter(tmp_path: Path, content: str) -> None:
+    heights = scans.read(stored(tmp_path / "a.csv", content), PITCH, "m").heights
     assert heights.tolist() == [[1, 2], [3, 4]]
+
+
+def test_pitch_and_unit_are_said_to_be_given(tmp_path: Path) -> None:
+    found = scans.read(stored(tmp_path / "a.npy", HEIGHTS), PITCH, "mm")
+    assert (found.pitch_origin, found.unit_origin, found.unit) == ("given", "given", "mm")
+    assert (found.name, found.kind, found.done) == ("a.npy", "numpy array", ())
+    assert found.extent == pytest.approx((5 * PITCH, 4 * PITCH))  # n times pitch, (y, x)
+
+
+@pytest.mark.parametrize("suffix", [".npy", ".txt", ".csv.gz"])
+def test_missing_heights_are_kept_as_missing_and_counted(tmp_path: Path, suffix: str) -> None:
+    values = HEIGHTS.copy()
+    values[1, 2], values[3, 0], values[4, 3] = np.nan, np.inf, -9999
+    content: Any = values
+    if suffix != ".npy":
+        rows = "\n".join(" ".join(repr(float(value)) for value in row) for row in values)
+        content = gzip.compress(rows.encode()) if suffix == ".csv.gz" else rows
+    found = scans.read(stored(tmp_path / f"a{suffix}", content), PITCH, "mm")
+    assert np.argwhere(~found.valid).tolist() == [[1, 2], [3, 0], [4, 3]]
+    assert found.missing_share == pytest.approx(3 / 20)
+    assert found.done == ("1 heights of -9999 taken as missing",)
+    assert np.nanmax(np.abs(found.heights)) < 0.1  # no -9999 mm among them
+
+
+def test_a_line_of_heights_is_a_profile(tmp_path: Path) -> None:
+    for name, content in (("a.npy", HEIGHTS[:, 0]), ("a.txt", "1\n2\n3\n"), ("b.txt", "1 2 3\n")):
+        found = scans.read(stored(tmp_path / name, content), PITCH, "m")
+        assert found.is_profile
+        assert found.extent == pytest.approx((len(found.heights) * PITCH,))
+
+
+def test_an_ending_is_that_of_what_is_packed() -> None:
+    assert scans.ending("a.b/Scan.DAT.gz") == ".dat.gz"
+    assert scans.ending("scan.npy") == ".npy"
+    assert scans.ending("scan") == ""
+    assert all(scans.ending(f"road{ending}") == ending for ending in scans.ENDINGS)

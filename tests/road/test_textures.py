@@ -7,9 +7,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from tyrecontact import presets
 from tyrecontact.errors import InputError
 from tyrecontact.road.heights import Patch
-from tyrecontact.road.textures import self_affine, worn
+from tyrecontact.road.profile_depth import mean_profile_depth
+from tyrecontact.road.textures import clipped, self_affine, worn
 
 SIZE, PITCH, RMS = 10e-3, 25e-6, 30e-6
 WORN = {
@@ -106,3 +108,32 @@ def test_impossible_settings_are_refused(setting: str, value: float) -> None:
     sentence = {"cut_off_wavelength": "cut-off"}.get(setting, setting)
     with pytest.raises(InputError, match=sentence):
         self_affine(**(settings | {setting: value}))
+
+
+def test_a_clipped_road_is_a_self_affine_one_cut_off() -> None:
+    whole = self_affine(SIZE, PITCH, RMS, roll_off_wavelength=2e-3, seed=4)
+    found = clipped(SIZE, PITCH, RMS, clip_height=15e-6, stone_size=2e-3, seed=4)
+    np.testing.assert_array_equal(found.heights, np.minimum(whole.heights, 15e-6))
+    assert found.heights.max() == 15e-6
+    with pytest.raises(InputError, match="clip_height must lie above the lowest valley"):
+        clipped(SIZE, PITCH, RMS, clip_height=-1e-3, stone_size=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("preset", "depth"),
+    [("road-iso-10844", 0.5e-3), ("road-sma-11", 1.0e-3), ("road-dac-16", 0.9e-3)],
+)
+def test_illustrative_roads_have_the_profile_depth_of_their_captions(
+    preset: str, depth: float
+) -> None:
+    """On a road long enough for ISO 13473-1; the patch itself holds too few stones."""
+    road = presets.get(preset).road
+    made = worn(
+        0.12, 0.2e-3, valley_rms=road.valley_rms, plateau_rms=road.plateau_rms,
+        offset=road.valley_offset, stone_size=road.stone_size,
+        plateau_wavelength=road.plateau_wavelength, hurst=road.hurst, seed=1,
+    )  # fmt: skip
+    found = mean_profile_depth(made.heights, made.pitch)
+    assert found is not None
+    assert found.standard
+    assert found.depth == pytest.approx(depth, rel=0.15)

@@ -2,7 +2,7 @@
 
 from tyrecontact.assembly.checks import require_consistent
 from tyrecontact.assembly.process import adhesion_law, loading_path, machine
-from tyrecontact.assembly.road import road_patch, roughness_springs
+from tyrecontact.assembly.road import road_patch, road_scan, road_understood, roughness_springs
 from tyrecontact.assembly.tread import tread_kernel, tread_layers
 
 __all__ = [
@@ -11,6 +11,8 @@ __all__ = [
     "machine",
     "require_consistent",
     "road_patch",
+    "road_scan",
+    "road_understood",
     "roughness_springs",
     "tread_kernel",
     "tread_layers",

@@ -4,15 +4,30 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+import numpy as np
+
+from tyrecontact.errors import InputError
 from tyrecontact.parts.road import Road
 from tyrecontact.parts.road import Springs as SpringSettings
-from tyrecontact.road import heights, scans, springs, textures
+from tyrecontact.road import heights, isotropic, prepare, scans, springs, textures
 from tyrecontact.road.heights import Patch
+from tyrecontact.road.scan import Scan
 from tyrecontact.road.springs import Springs
+from tyrecontact.road.understood import Understood, understood
 from tyrecontact.scenario import Scenario
 
 #: the same few roads are asked for again and again
-_worn = lru_cache(maxsize=4)(textures.worn)
+_worn, _self_affine, _clipped = (
+    lru_cache(maxsize=4)(make) for make in (textures.worn, textures.self_affine, textures.clipped)
+)
+
+
+@lru_cache(maxsize=2)
+def _isotropic(heights: bytes, pitch: float, size: float, seed: int) -> Patch:
+    """An isotropic road, by the heights of its profile: a file may change under its name."""
+    made = isotropic.from_profile(np.frombuffer(heights), pitch, size, seed)
+    made.heights.flags.writeable = False  # it is shared
+    return made
 
 
 def road_patch(road: Road) -> Patch:
@@ -22,22 +37,72 @@ def road_patch(road: Road) -> Patch:
     ------
     InputError : a road file that cannot be used, or that is too small or too coarse.
     """
-    if road.file:
-        found = scans.read(road.file, pitch=road.pitch or None, unit=road.height_unit or None)
-        return heights.centred(found, road.elements, road.size)
-    made = _worn(
-        road.size,
-        road.pixel,
-        valley_rms=road.valley_rms,
-        plateau_rms=road.plateau_rms,
-        offset=road.valley_offset,
-        stone_size=road.stone_size,
-        plateau_wavelength=road.plateau_wavelength,
-        hurst=road.hurst,
-        seed=road.seed,
+    return heights.centred(_measured(road) if road.file else _made(road), road.elements, road.size)
+
+
+def road_scan(road: Road) -> Scan:
+    """The road file that a scenario asks for: read, trimmed, turned and levelled as it says.
+
+    Raises
+    ------
+    InputError : no file, or one that cannot be used; pitch or unit that it does not carry.
+    """
+    if not road.file:
+        raise InputError("road.file must name a file to be read, got ''")
+    scan = scans.read(road.file, pitch=road.pitch or None, unit=road.height_unit or None)
+    scan = prepare.trimmed(scan, road.trim_start, road.trim_end)
+    if road.height_direction == "down":
+        scan = prepare.turned_over(scan)
+    return prepare.levelled(scan) if road.levelling == "plane" else scan
+
+
+def road_understood(road: Road) -> Understood:
+    """What was understood of a scenario's road file, as it goes into the patch."""
+    return understood(road_scan(road))
+
+
+def _measured(road: Road) -> Patch:
+    scan = road_scan(road)
+    if scan.is_profile and road.profile_use == "isotropic":
+        whole = prepare.filled(scan, road.fill_limit)
+        return _isotropic(whole.heights.tobytes(), whole.pitch, road.size, road.seed)
+    part = prepare.filled(
+        prepare.cut(scan, road.size, road.centre_x, road.centre_y), road.fill_limit
     )
+    if not part.is_profile:
+        return Patch(part.heights, part.pitch)
+    # drawn out along y: the same line in each row
+    return Patch(np.tile(part.heights, (part.heights.size, 1)), part.pitch)
+
+
+def _made(road: Road) -> Patch:
+    common = {"hurst": road.hurst, "seed": road.seed}
+    if road.texture == "self-affine":
+        made = _self_affine(
+            road.size, road.pixel, road.valley_rms, roll_off_wavelength=road.stone_size, **common
+        )
+    elif road.texture == "clipped":
+        made = _clipped(
+            road.size,
+            road.pixel,
+            road.valley_rms,
+            clip_height=road.clip_height,
+            stone_size=road.stone_size,
+            **common,
+        )
+    else:
+        made = _worn(
+            road.size,
+            road.pixel,
+            valley_rms=road.valley_rms,
+            plateau_rms=road.plateau_rms,
+            offset=road.valley_offset,
+            stone_size=road.stone_size,
+            plateau_wavelength=road.plateau_wavelength,
+            **common,
+        )
     made.heights.flags.writeable = False  # it is shared
-    return heights.centred(made, road.elements, road.size)
+    return made
 
 
 def roughness_springs(patch: Patch, scenario: Scenario) -> Springs:

@@ -8,19 +8,27 @@ _UM, _MM, _MPA = ("µm", 1e6), ("mm", 1e3), ("MPa", 1e-6)
 
 
 class Road(Part):
-    """The patch of road: read from a file, or made from a seed."""
+    """The patch of road: read from a file, or made from a seed.
+
+    Self-affine and clipped roads take their rms from `valley_rms`, their stones from `stone_size`.
+    """
 
     file = Text("", "Road scan or profile to read; empty: a road is made")
     pitch = Quantity(
         0.0, (0.0, 1e-2), "m", "Distance of neighbouring heights in the file; 0: not given", _UM
     )
     height_unit = Choice("", ["", "m", "mm", "um"], "Unit of the heights in the file")
+    height_direction = Choice("up", ["up", "down"], "Which way the heights of the file are counted")
+    trim_start = Quantity(
+        0.0, (0.0, 1e3), "m", "Taken off the start of a profile: reference plate, run-in", _MM
+    )
+    trim_end = Quantity(0.0, (0.0, 1e3), "m", "Taken off the end of a profile", _MM)
     levelling = Choice("plane", ["none", "plane"], "What is taken off a measured road first")
     fill_limit = Quantity(
         0.1, (0.0, 0.9), "", "Largest share of missing heights that is filled from around them"
     )
-    centre_x = Quantity(0.0, (-1.0, 1.0), "m", "Patch off the middle of the file, along x", _MM)
-    centre_y = Quantity(0.0, (-1.0, 1.0), "m", "Patch off the middle of the file, along y", _MM)
+    centre_x = Quantity(0.0, (-1e3, 1e3), "m", "Patch off the middle of the file, along x", _MM)
+    centre_y = Quantity(0.0, (-1e3, 1e3), "m", "Patch off the middle of the file, along y", _MM)
     profile_use = Choice(
         "corrugated",
         ["corrugated", "isotropic"],
@@ -31,6 +39,9 @@ class Road(Part):
     texture = Choice("worn", ["worn", "self-affine", "clipped"], "Kind of road that is made")
     seed = Count(1, (0, 2**32 - 1), "Seed of the made road")
     pixel = Quantity(25e-6, (5e-6, 1e-3), "m", "Pitch of the made road", _UM)
+    clip_height = Quantity(
+        50e-6, (-5e-3, 5e-3), "m", "Where a clipped road is cut, above its mean", _UM
+    )
     stone_size = Quantity(
         5e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of stones and valleys", _MM
     )

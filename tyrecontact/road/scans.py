@@ -1,120 +1,152 @@
-"""Read height maps of measured roads. Nothing is guessed: pitch and unit are asked for."""
+"""Read measured roads. Nothing is guessed: what a file does not carry is asked for, and said."""
 
 from __future__ import annotations
 
-import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
 from tyrecontact.errors import InputError, unknown_name
-from tyrecontact.road.heights import Patch
+from tyrecontact.road.formats import arrays, instruments, points, stl, text, x3p, xyz
+from tyrecontact.road.formats.raw import NO_DATA, Asked, Raw
+from tyrecontact.road.scan import UNITS, NotCarriedError, Scan
 
-#: metres per unit of height
-UNITS = {"m": 1.0, "mm": 1e-3, "um": 1e-6}
-#: a map with more heights than this is refused before it is read
-MAX_HEIGHTS = 64_000_000
-#: a text matrix with more bytes than this is refused before it is read
-MAX_TEXT_BYTES = 512_000_000
+__all__ = ["ENDINGS", "UNITS", "NotCarriedError", "Scan", "ending", "read"]
 
+_Reader = Callable[[Path, Asked], Raw]
 _TEXT = (".txt", ".csv", ".dat", ".asc", ".tsv")
-#: endings of the files that can be read
-ENDINGS = (".npy", ".npz", *_TEXT)
+_READERS: dict[str, _Reader] = {
+    ".npy": arrays.read_npy,
+    ".npz": arrays.read_npz,
+    **dict.fromkeys(_TEXT, text.read),
+    ".xyz": xyz.read,
+    ".stl": stl.read,
+    **dict.fromkeys([f"{ending}.gz" for ending in _TEXT], text.read),
+    ".xyz.gz": xyz.read,
+    ".stl.gz": stl.read,
+    ".x3p": x3p.read,
+    **dict.fromkeys((".las", ".laz"), points.read),
+}
+#: endings of the files that are read here; `instruments.ENDINGS` come with the extra [scans]
+ENDINGS = tuple(_READERS)
+#: formats that carry neither pitch nor unit: no need to open one to ask for them
+_BARE = (".npy", ".npz")
+#: a given pitch that differs from the file's by less is the file's, rounded
+_SAME = 2e-3
 
 
-def read(path: str | Path, pitch: float | None = None, unit: str | None = None) -> Patch:
-    """Read a 2-D height map, rows along y.
+def ending(name: str | Path) -> str:
+    """Ending of a file's name in small letters; ".dat.gz" where it is packed."""
+    path = Path(name)
+    last = path.suffix.lower()
+    return Path(path.stem).suffix.lower() + last if last == ".gz" else last
+
+
+def read(path: str | Path, pitch: float | None = None, unit: str | None = None) -> Scan:
+    """Read a map of heights, rows along y, or a profile along x.
 
     Parameters
     ----------
-    path : `.npy`, `.npz` (an array "heights", or a single array) or a text matrix (`.txt .csv
-        .dat .asc .tsv`; white space, comma or semicolon between numbers, # for comments).
-    pitch : distance of neighbouring heights [m]; these formats do not carry it.
-    unit : of the heights in the file: "m", "mm" or "um"; these formats do not carry it.
+    path : a file with one of `ENDINGS`: numpy, text (matrix; ESRI grid; lines of named columns),
+        x y z columns, STL, ISO 5436-2, LAS; or, with the extra [scans], an instrument's format.
+    pitch : distance of neighbouring heights [m]; needed where the file does not carry it. For
+        triangles and clouds of points: of the grid they are put on.
+    unit : of the heights in the file, "m", "mm" or "um"; needed where the file does not carry it.
+
+    A pitch or unit that is given although the file carries another overrides it (files do carry
+    wrong ones); `Scan.done` then says so.
 
     Returns
     -------
-    Patch with heights in m.
+    Scan with heights in m, NaN where missing (also those of -9999).
 
     Raises
     ------
-    InputError : a file that is absent, truncated, too large or not a height map; pitch or unit
-        missing; heights that are not finite.
+    NotCarriedError : pitch or unit is missing.
+    InputError : a file that is absent, damaged, hostile, too large, or no road.
     """
     path = Path(path).expanduser()
-    if pitch is None:
-        raise InputError(f"pitch must be given: {path.name} does not carry the distance of heights")
-    if unit is None:
-        raise InputError(f"unit must be given as m, mm or um: {path.name} does not carry it")
-    if unit not in UNITS:
+    if pitch is not None and not 0 < pitch < np.inf:
+        raise InputError(f"pitch must be positive and finite, got {pitch} m")
+    if unit is not None and unit not in UNITS:
         raise unknown_name("unit of heights", unit, UNITS)
-    heights = _matrix(path)
-    if heights.ndim != 2 or heights.dtype.kind not in "fiu":
-        raise InputError(
-            f"road file must hold a 2-D matrix of real numbers, got {path.name} with shape "
-            f"{heights.shape} of {heights.dtype}"
-        )
-    return Patch(np.array(heights, float) * UNITS[unit], pitch)
+    kind = ending(path)
+    if kind not in _READERS and kind not in instruments.ENDINGS:
+        raise unknown_name("kind of road file", kind, (*ENDINGS, *instruments.ENDINGS))
+    if kind in _BARE:
+        _require_given(Raw(np.empty(0), kind), path, pitch, unit)
+    raw = _raw(path, Asked(pitch, unit))
+    _require_given(raw, path, pitch, unit)
+    return _scan(raw, path, pitch, unit)
 
 
-def _matrix(path: Path) -> np.ndarray:
+def _raw(path: Path, asked: Asked) -> Raw:
     """What the file holds; whatever goes wrong is an `InputError` of one sentence."""
-    reader = {".npy": _read_npy, ".npz": _read_npz, **dict.fromkeys(_TEXT, _read_text)}
-    ending = path.suffix.lower()
-    if ending not in reader:
-        raise unknown_name("kind of road file", ending, reader)
     try:
-        return reader[ending](path)
+        return _READERS.get(ending(path), instruments.read)(path, asked)
     except InputError:
         raise
     except OSError as error:
         reason = error.strerror or str(error)
         raise InputError(f"road file must be readable, got {path.name}: {reason}") from None
-    except Exception as error:  # whatever numpy and zipfile make of damaged bytes
-        first_line = str(error).partition("\n")[0]
+    except (Exception, RecursionError) as error:  # whatever libraries make of damaged bytes
+        first_line = str(error).strip().partition("\n")[0] or type(error).__name__
         raise InputError(
             f"road file must hold a matrix of numbers, got {path.name}: {first_line}"
         ) from None
 
 
-def _read_npy(path: Path) -> np.ndarray:
-    heights = np.lib.format.open_memmap(path, mode="r")  # sized before it is read; no pickles
-    _require_size(heights.size, path)
-    return heights
-
-
-def _read_npz(path: Path) -> np.ndarray:
-    with zipfile.ZipFile(path) as archive:
-        unpacked = sum(entry.file_size for entry in archive.infolist())
-        _require_size(unpacked // 8, path)
-    with np.load(path, allow_pickle=False) as arrays:
-        names = list(arrays)
-        if "heights" not in names and len(names) != 1:
-            raise InputError(
-                f"{path.name} must hold an array 'heights' or a single array, got {names}"
-            )
-        heights = arrays["heights" if "heights" in names else names[0]]
-    _require_size(heights.size, path)
-    return heights
-
-
-def _read_text(path: Path) -> np.ndarray:
-    size = path.stat().st_size
-    if size > MAX_TEXT_BYTES:
-        raise InputError(
-            f"{path.name} must have at most {MAX_TEXT_BYTES / 1e6:.0f} MB, got {size / 1e6:.0f} MB"
+def _require_given(raw: Raw, path: Path, pitch: float | None, unit: str | None) -> None:
+    if pitch is None and raw.pitch is None and raw.spacing is None:
+        raise NotCarriedError(
+            f"pitch must be given: {path.name} does not carry the distance of heights"
         )
-    with path.open(encoding="utf-8-sig") as lines:
-        data = (line.partition("#")[0].strip() for line in lines)
-        sample = next(filter(None, data), "")
-    if not sample:
-        raise InputError(f"road file must hold numbers, got {path.name}, which is empty")
-    delimiter = next((mark for mark in ";," if mark in sample), None)
-    heights = np.loadtxt(path, delimiter=delimiter, ndmin=2, encoding="utf-8-sig")
-    _require_size(heights.size, path)
-    return heights
+    if unit is None and raw.unit is None:
+        raise NotCarriedError(f"unit must be given as m, mm or um: {path.name} does not carry it")
 
 
-def _require_size(heights: int, path: Path) -> None:
-    if heights > MAX_HEIGHTS:
-        raise InputError(f"{path.name} must hold at most {MAX_HEIGHTS:g} heights, got {heights:g}")
+def _scan(raw: Raw, path: Path, pitch: float | None, unit: str | None) -> Scan:
+    """Numbers and facts of the file, with what was given, as a scan in metres."""
+    name, scale, unit_origin, against_unit = _unit(raw, unit)
+    step, pitch_origin, against_pitch = _pitch(raw, scale, pitch)
+    heights = np.array(raw.heights, float)
+    no_data = heights == NO_DATA
+    taken = np.count_nonzero(no_data)
+    heights[no_data | ~np.isfinite(heights)] = np.nan
+    return Scan(
+        heights * scale,
+        step,
+        name=path.name,
+        kind=raw.kind,
+        unit=name,
+        pitch_origin=pitch_origin,
+        unit_origin=unit_origin,
+        missing_share=float(np.isnan(heights).mean()) if heights.size else 0.0,
+        done=(
+            *raw.done,
+            *against_unit,
+            *against_pitch,
+            *([f"{taken} heights of {NO_DATA:g} taken as missing"] if taken else []),
+        ),
+    )
+
+
+def _unit(raw: Raw, given: str | None) -> tuple[str, float, str, list[str]]:
+    """Unit, metres per unit, its origin, and the clause that it stands against the file's."""
+    if raw.unit is not None and raw.scale is not None and given in (None, raw.unit):
+        return raw.unit, raw.scale, "file", []
+    given = str(given)
+    against = [f"unit {given} as given, against {raw.unit} in the file"] if raw.unit else []
+    return given, UNITS[given], "given", against
+
+
+def _pitch(raw: Raw, scale: float, given: float | None) -> tuple[float, str, list[str]]:
+    """Pitch [m], its origin, and the clause that it stands against the file's."""
+    carried = raw.pitch if raw.spacing is None else raw.spacing * scale
+    if carried is None:
+        return given or 0.0, "given", []
+    if given is None or abs(given - carried) <= _SAME * carried:
+        return carried, "given" if raw.resampled and given else "file", []
+    clause = f"pitch {given * 1e6:.6g} µm as given, against {carried * 1e6:.6g} µm in the file"
+    return given, "given", [clause]

@@ -1,4 +1,4 @@
-r"""Roads that are made: self-affine and worn surfaces (physics, section 1).
+r"""Roads that are made: self-affine, worn and clipped surfaces (physics, section 1).
 
 A self-affine surface has the power spectrum
 
@@ -7,6 +7,7 @@ A self-affine surface has the power spectrum
 with random phases; q0 = 2 pi / roll-off wavelength, q1 = 2 pi / short cut-off. A worn road is
 the lower of two such surfaces: stones and valleys, and the plateau to which traffic has
 polished the stones, min(valleys + offset, plateau). Its heights are skewed to the negative.
+A clipped road is a self-affine one cut at a height: stones with flat tops, all equally high.
 """
 
 from __future__ import annotations
@@ -111,3 +112,36 @@ def worn(
         size, pitch, plateau_rms, roll_off_wavelength=plateau_wavelength, hurst=hurst, seed=rng
     )
     return Patch(np.minimum(valleys.heights + offset, plateau.heights), pitch)
+
+
+def clipped(
+    size: float,
+    pitch: float,
+    rms: float,
+    *,
+    clip_height: float,
+    stone_size: float,
+    hurst: float = 0.8,
+    seed: int = 1,
+) -> Patch:
+    """A self-affine road whose stones are cut off flat.
+
+    Parameters
+    ----------
+    size, pitch : [m].
+    rms : of the surface before it is cut [m].
+    clip_height : above the mean of that surface, where it is cut [m]; the lower, the more flat.
+    stone_size : roll-off wavelength [m].
+    hurst, seed : as in `self_affine`.
+
+    Raises
+    ------
+    InputError : a cut so low that it leaves a plane.
+    """
+    whole = self_affine(size, pitch, rms, roll_off_wavelength=stone_size, hurst=hurst, seed=seed)
+    lowest = float(whole.heights.min())
+    if not clip_height > lowest:
+        raise InputError(
+            f"clip_height must lie above the lowest valley at {lowest:.4g} m, got {clip_height:g} m"
+        )
+    return Patch(np.minimum(whole.heights, clip_height), pitch)

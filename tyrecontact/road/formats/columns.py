@@ -51,9 +51,11 @@ def from_columns(values: np.ndarray, header: Header, path: Path) -> Raw:
     distances = _found("distance", _DISTANCE, names, header, path, needed=False)
     height, distance = heights[0], distances[0] if distances else None
     unit = _unit(names[height])
+    # profilometers call heights depths and count them up all the same
+    doubt = " (if it counts down: height_direction)" if "depth" in names[height].lower() else ""
     done = [
         f"{header.skipped} lines of header skipped",
-        f"column {height + 1}, '{names[height]}', read as height, positive up",
+        f"column {height + 1}, '{names[height]}', read as height, positive up{doubt}",
     ]
     pitch = spacing = None
     if distance is not None:

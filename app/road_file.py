@@ -9,7 +9,7 @@ from pathlib import Path
 import panel_material_ui as pmui
 import param
 
-from tyrecontact.errors import InputError, unknown_name
+from tyrecontact.errors import InputError
 from tyrecontact.road import prepare, scans
 from tyrecontact.road.formats import instruments
 from tyrecontact.road.understood import understood
@@ -75,9 +75,10 @@ class RoadFile:
         if not content:
             return
         self.forget()
-        ending, known = scans.ending(name), (*scans.ENDINGS, *instruments.ENDINGS)
-        if ending not in known:
-            self._reject(str(unknown_name("kind of road file", ending, known)))
+        try:
+            ending = scans.require_known(name)
+        except InputError as error:
+            self._reject(str(error))
             return
         if len(content) > MAX_BYTES:
             size = f"{len(content) / 1e6:.0f} MB"

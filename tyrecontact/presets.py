@@ -103,6 +103,7 @@ def _worn_road(
             "valley_offset": valley_offset,
             "plateau_rms": plateau_rms,
             "plateau_wavelength": plateau_wavelength,
+            "hurst": 0.8,
         }
     )
 

@@ -104,6 +104,8 @@ def test_pitch_unit_and_kind_of_file_must_be_given_and_known(tmp_path: Path) -> 
         sentence = refusal(tmp_path / name)
         assert all(f"{ending}, " in sentence for ending in (".csv", ".npy", ".stl.gz", ".x3p"))
     assert "did you mean '.npy'?" in refusal(tmp_path / "a.ny")
+    assert ".sur, " in (sentence := refusal(tmp_path / "a.surr"))
+    assert "did you mean '.sur'?" in sentence
 
 
 @pytest.mark.parametrize("suffix", [".npy", ".npz", ".csv", ".txt"])

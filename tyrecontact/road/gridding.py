@@ -38,14 +38,15 @@ def largest_square(triangles: np.ndarray, step: float | None, most: int) -> Grid
     InputError : no triangle that is seen from above, or a grid that is too large.
     """
     triangles = _seen_from_above(triangles)
+    done = [f"interpolated from {len(triangles)} triangles"]
     if step is None:
         step = float(np.sqrt(2 * np.median(_area(triangles))))
+        done.append("pitch from their size, two to a cell")
     if not 0 < step < np.inf:
         raise InputError(f"pitch must be positive and finite, got {step} of the file's unit")
     height = rasterised(triangles, step, most)
     straight, _ = _square(np.isfinite(height))
     angle = _best_angle(np.isfinite(height), straight)
-    done = [f"interpolated from {len(triangles)} triangles"]
     if angle:
         height = rasterised(_turned(triangles, np.deg2rad(angle)), step, most)
         done.append(f"turned by {angle} degrees")

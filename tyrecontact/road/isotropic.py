@@ -3,6 +3,9 @@ r"""A two-dimensional road with the spectrum and the heights of a measured profi
 Random phases give the spectrum but Gaussian heights. Ranks give the heights (the n-th highest
 pixel gets the n-th highest of the profile) and disturb the spectrum a little. Doing both in turn
 converges to a surface that has both (Schreiber & Schmitz, Phys. Rev. Lett. 77, 1996).
+
+A line across a wave sees it longer than it is: of waves shorter than a limit, a line has fewer than
+the surface. So the profile gives the shape of the distribution, and the spectrum its width.
 """
 
 from __future__ import annotations
@@ -49,9 +52,16 @@ def from_profile(heights: np.ndarray, pitch: float, size: float, seed: int) -> P
         )
     found = spectrum.isotropic(*spectrum.of_profile(heights, pitch, period))
     values = high_passed(heights, pitch, period)
+    values *= np.sqrt(variance_on_grid(found, count, pitch)) / values.std()
     made = surface(found, values, count, pitch, np.random.default_rng(seed))
     half = count // 2
     return Patch(made[:half, :half].copy(), pitch)
+
+
+def variance_on_grid(wanted: Isotropic, count: int, pitch: float) -> float:
+    """Mean square height [m^2] of a periodic surface of count x count pixels with a spectrum."""
+    axis = np.fft.fftfreq(count, pitch)
+    return float(wanted.at(np.hypot(axis[:, None], axis)).sum() / (count * pitch) ** 2)
 
 
 def high_passed(heights: np.ndarray, pitch: float, longest: float) -> np.ndarray:

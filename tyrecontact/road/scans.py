@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +13,7 @@ from tyrecontact.road.formats import arrays, instruments, points, stl, text, x3p
 from tyrecontact.road.formats.raw import NO_DATA, Asked, Raw
 from tyrecontact.road.scan import UNITS, NotCarriedError, Scan
 
-__all__ = ["ENDINGS", "UNITS", "NotCarriedError", "Scan", "ending", "read"]
+__all__ = ["ENDINGS", "UNITS", "NotCarriedError", "Scan", "ending", "read", "require_known"]
 
 _Reader = Callable[[Path, Asked], Raw]
 _TEXT = (".txt", ".csv", ".dat", ".asc", ".tsv")
@@ -34,6 +35,8 @@ ENDINGS = tuple(_READERS)
 _BARE = (".npy", ".npz")
 #: a given pitch that differs from the file's by less is the file's, rounded
 _SAME = 2e-3
+#: signs of another library's message that are passed on
+_LONG = 160
 
 
 def ending(name: str | Path) -> str:
@@ -41,6 +44,20 @@ def ending(name: str | Path) -> str:
     path = Path(name)
     last = path.suffix.lower()
     return Path(path.stem).suffix.lower() + last if last == ".gz" else last
+
+
+def require_known(name: str | Path) -> str:
+    """The ending of a file that can be read.
+
+    Raises
+    ------
+    InputError : another ending; it lists those read here, and the nearest of an instrument's.
+    """
+    found = ending(name)
+    if found not in _READERS and found not in instruments.ENDINGS:
+        near = get_close_matches(found, instruments.ENDINGS, n=1, cutoff=0.5)
+        raise unknown_name("kind of road file", found, (*ENDINGS, *near))
+    return found
 
 
 def read(path: str | Path, pitch: float | None = None, unit: str | None = None) -> Scan:
@@ -71,9 +88,7 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
         raise InputError(f"pitch must be positive and finite, got {pitch} m")
     if unit is not None and unit not in UNITS:
         raise unknown_name("unit of heights", unit, UNITS)
-    kind = ending(path)
-    if kind not in _READERS and kind not in instruments.ENDINGS:
-        raise unknown_name("kind of road file", kind, (*ENDINGS, *instruments.ENDINGS))
+    kind = require_known(path)
     if kind in _BARE:
         _require_given(Raw(np.empty(0), kind), path, pitch, unit)
     raw = _raw(path, Asked(pitch, unit))
@@ -91,7 +106,9 @@ def _raw(path: Path, asked: Asked) -> Raw:
         reason = error.strerror or str(error)
         raise InputError(f"road file must be readable, got {path.name}: {reason}") from None
     except (Exception, RecursionError) as error:  # whatever libraries make of damaged bytes
-        first_line = str(error).strip().partition("\n")[0] or type(error).__name__
+        first_line = "".join(str(error).strip().splitlines()[:1]) or type(error).__name__
+        if len(first_line) > _LONG:  # some quote the file
+            first_line = f"{first_line[:_LONG]}..."
         raise InputError(
             f"road file must hold a matrix of numbers, got {path.name}: {first_line}"
         ) from None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import warnings
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -87,8 +88,18 @@ def test_without_the_extra_it_is_named(tmp_path: Path, monkeypatch: pytest.Monke
 def test_too_large_a_file_is_refused(tmp_path: Path) -> None:
     with (tmp_path / "a.sur").open("wb") as file:
         file.truncate(2_000_000_000)
-    with pytest.raises(InputError, match="at most 1000 MB, got 2000 MB"):
+    with pytest.raises(InputError, match="at most 1000 MB, unpacked too, got 2000 MB"):
         scans.read(tmp_path / "a.sur")
+
+
+def test_an_archive_that_unpacks_to_too_much_is_refused_before(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with zipfile.ZipFile(tmp_path / "a.plux", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("index.xml", bytes(5_000_000))
+    monkeypatch.setattr(instruments, "MAX_BYTES", 1_000_000)
+    with pytest.raises(InputError, match="at most 1 MB, unpacked too, got 5 MB"):
+        scans.read(tmp_path / "a.plux")
 
 
 def test_the_library_is_not_imported_until_it_is_needed() -> None:

@@ -76,7 +76,7 @@ def test_a_profilometers_lines_tell_pitch_and_unit(tmp_path: Path, name: str, en
     np.testing.assert_allclose(found.heights[:9], np.arange(9) * 1e-6, atol=1e-18)  # rounding
     assert found.done == (
         "4 lines of header skipped",
-        "column 3, 'Depth (mm)', read as height, positive up",
+        "column 3, 'Depth (mm)', read as height, positive up (if it counts down: height_direction)",
         "distances from column 2, 'Distance (mm)'",
         "not used: 'No:'",
     )

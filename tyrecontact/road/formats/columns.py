@@ -44,26 +44,26 @@ def from_columns(values: np.ndarray, header: Header, path: Path) -> Raw:
 
     Raises
     ------
-    InputError : no column, or more than one, is named as heights; distances that are not regular.
+    InputError : no column, or several, named as heights; distances that are not regular.
     """
     names = _names(header.lines[-1], values.shape[1])
     heights = _found("height", _HEIGHT, names, header, path)
     distances = _found("distance", _DISTANCE, names, header, path, needed=False)
     height, distance = heights[0], distances[0] if distances else None
     unit = _unit(names[height])
+    # profilometers call heights depths and count them up all the same
+    doubt = " (if it counts down: height_direction)" if "depth" in names[height].lower() else ""
     done = [
         f"{header.skipped} lines of header skipped",
-        f"column {height + 1}, '{names[height]}', read as height, positive up",
+        f"column {height + 1}, '{names[height]}', read as height, positive up{doubt}",
     ]
     pitch = spacing = None
     if distance is not None:
-        spacing = _spacing(values[:, distance], path)
+        step, lateral = _spacing(values[:, distance], path), _unit(names[distance])
         done.append(f"distances from column {distance + 1}, '{names[distance]}'")
-        lateral = _unit(names[distance])
-        if lateral is not None:
-            pitch, spacing = spacing * UNITS[lateral], None
-        elif unit is not None:
-            spacing = None  # its unit need not be that of the heights
+        pitch = step * UNITS[lateral] if lateral else None
+        # without units at all, both columns are taken to have the one that is given
+        spacing = step if not lateral and not unit else None
     unused = [name for place, name in enumerate(names) if place not in (height, distance)]
     if unused:
         done.append("not used: " + ", ".join(f"'{name}'" for name in unused))
@@ -100,7 +100,7 @@ def _found(
     if len(found) > 1 or (needed and not found):
         raise InputError(
             f"road file must name one column of {what}s (such as '{what} (mm)'), got {path.name} "
-            f"with '{header.lines[-1]}'"
+            f"with {header.lines[-1][:100]!r}"
         )
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -33,10 +34,11 @@ def read(path: Path, _: Asked) -> Raw:
 
     SurfaceTopography holds heights as [x, y] and sizes as number times pitch; here rows are y.
     """
-    if path.stat().st_size > MAX_BYTES:
-        size = path.stat().st_size / 1e6
+    size = max(path.stat().st_size, _unpacked(path))
+    if size > MAX_BYTES:
         raise InputError(
-            f"{path.name} must have at most {MAX_BYTES / 1e6:.0f} MB, got {size:.0f} MB"
+            f"{path.name} must have at most {MAX_BYTES / 1e6:.0f} MB, unpacked too, got "
+            f"{size / 1e6:.0f} MB"
         )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of a library's imports and of its readers
@@ -55,6 +57,14 @@ def read(path: Path, _: Asked) -> Raw:
         spacing=None if unit or not found.physical_sizes else _spacing(found, path),
         done=done,
     )
+
+
+def _unpacked(path: Path) -> int:
+    """Bytes that a file unpacks to, if it is a zip archive, as many of these formats are; or 0."""
+    if not zipfile.is_zipfile(path):
+        return 0
+    with zipfile.ZipFile(path) as archive:
+        return sum(entry.file_size for entry in archive.infolist())
 
 
 def _topography(path: Path) -> tuple[Any, str, int]:

@@ -83,6 +83,20 @@ def test_recomputing_at_a_finer_step_raises_the_limit(
     assert growth(finer, 1.5 * limit) > 10
 
 
+def test_recomputing_costs_the_stability_of_few_contacts_and_interpolating_does_not(
+    tread_layers: list[Layer], kernel: Kernel
+) -> None:
+    """A finer step asks a single element at frequencies where it, too, is a mass.
+
+    So a road that has only begun to touch blows up earlier, although full contact bears more.
+    """
+    finer = band_limited(tread_layers, SHAPE, 1e-3, STEP / 2, 128)
+    for few in ((1, 1), (2, 2)):
+        assert critical_stiffness(kernel, few) > 5 * critical_stiffness(finer, few)
+        assert critical_stiffness(interpolated(kernel, 2), few) == np.inf
+    assert critical_stiffness(finer, SHAPE) > 2 * critical_stiffness(kernel, SHAPE)
+
+
 @pytest.mark.parametrize("stiffness", [1e4, 1e6, 1e9])
 @pytest.mark.parametrize("method", ["BDF1", "BDF2", "mobility"])
 def test_passive_kernels_ring_down_on_any_spring(

@@ -79,7 +79,7 @@ def _require_lags(scenario: Scenario, layers: Sequence[Layer]) -> None:
             f"{np.ceil(needed * rate):.0f} samples, got {lags}"
         )
     duration = float(loading_path(scenario.loading).time[-1])
-    most = np.ceil(max(duration, needed, _USUAL_MEMORY) * rate)
+    most = max(np.ceil(max(duration, needed, _USUAL_MEMORY) * rate), 2)  # fewer are none
     if lags > most:
         raise InputError(
             f"numerics.lags must be at most {most:.0f}, the steps of the loading at the sampling "

@@ -3,7 +3,7 @@
 from tyrecontact.assembly.checks import require_consistent
 from tyrecontact.assembly.process import loading_path
 from tyrecontact.assembly.road import road_patch, roughness_springs
-from tyrecontact.assembly.tread import tread_kernel, tread_layers
+from tyrecontact.assembly.tread import tread_kernel, tread_layers, tread_thickness
 
 __all__ = [
     "loading_path",
@@ -12,4 +12,5 @@ __all__ = [
     "roughness_springs",
     "tread_kernel",
     "tread_layers",
+    "tread_thickness",
 ]

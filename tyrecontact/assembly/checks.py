@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tyrecontact.assembly.process import loading_path
-from tyrecontact.assembly.tread import tread_layers
+from tyrecontact.assembly.tread import tread_layers, tread_thickness
 from tyrecontact.errors import InputError
 from tyrecontact.parts.process import Numerics
 from tyrecontact.parts.tread import Tread
@@ -57,11 +57,9 @@ def _require_kernel(numerics: Numerics, layers: Sequence[Layer]) -> None:
 
 def _require_thickness(tread: Tread, indentation: float) -> None:
     """The road stays above the bottom of the tread."""
-    thickness, what = tread.thickness, "tread.thickness"
-    if tread.layers:
-        thickness = sum(layer["thickness"] for layer in tread.layers)
-        what = "the thickness of tread.layers"
+    thickness = tread_thickness(tread)
     if indentation >= thickness:
+        what = "the thickness of tread.layers" if tread.layers else "tread.thickness"
         raise InputError(
             f"loading.max_indentation must be less than {what}, {thickness:g} m, "
             f"got {indentation:g} m"

@@ -100,8 +100,8 @@ class Numerics(Part):
     kernel = Choice(
         "passive",
         ["passive", "passive-mobility", "band-limited", "static"],
-        "passive: stable, right at rest; passive-mobility: stable, 16 % off at rest; "
-        "band-limited: the thesis'; static: quasi-static",
+        "Element kernel: passive is stable; passive-mobility too, but 16 % off at rest; "
+        "band-limited is the thesis'; static is quasi-static",
     )
     quadrature = Choice("BDF2", ["BDF1", "BDF2"], "Convolution quadrature of the passive kernel")
     refinement = Choice(

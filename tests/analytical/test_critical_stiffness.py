@@ -21,17 +21,20 @@ from tyrecontact.tread.materials import Layer
 SHAPE, STEP = (6, 7), 1 / 51200
 
 
+def between(symbol: np.ndarray) -> np.ndarray:
+    """The dense matrix between all elements that values by offset (ny, nx) stand for."""
+    row, column = (index.ravel() for index in np.indices(symbol.shape))
+    return symbol[abs(row[:, None] - row), abs(column[:, None] - column)]
+
+
 def growth(kernel: Kernel, stiffness: float, steps: int = 800) -> float:
     """Pressed forces of equal springs, all in contact: their ringing late over half-way, if any.
 
     d = b - u, F = k d, u_n = g_0 F_n + history; the road b is pressed in over 20 steps.
     """
-    lattice = LatticeKernel(kernel)
-    history = History(lattice)
+    history = History(LatticeKernel(kernel))
     count = kernel.values[0].size
-    solve = np.linalg.inv(
-        np.eye(count) + stiffness * lattice.instant_matrix(np.arange(count))
-    )  # fmt: skip
+    solve = np.linalg.inv(np.eye(count) + stiffness * between(kernel.values[0]))
     tops = 1e-6 * np.random.default_rng(1).random(count)
     force = np.zeros((steps, count))
     for n in range(steps):
@@ -111,8 +114,6 @@ def test_passive_kernels_ring_down_on_any_spring(
 def test_the_margin_of_a_step_vanishes_where_the_springs_are_critical(kernel: Kernel) -> None:
     """1 + lambda_min(K^1/2 H K^1/2) / (1 - cos theta) at the critical angle, K equal springs."""
     theta, critical = critical_angle(kernel), critical_stiffness(kernel, SHAPE)
-    row, column = (index.ravel() for index in np.indices(SHAPE))
-    symbol = hermitian_symbol(kernel, theta)
-    matrix = symbol[abs(row[:, None] - row), abs(column[:, None] - column)]
+    matrix = between(hermitian_symbol(kernel, theta))
     margin = 1 + critical * np.linalg.eigvalsh(matrix)[0] / (1 - np.cos(theta))
     assert margin == pytest.approx(0, abs=1e-9)  # rounding

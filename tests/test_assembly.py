@@ -259,6 +259,12 @@ def test_the_quadrature_arrives_at_the_passive_kernel() -> None:
     assert np.abs(found.values - assembly.tread_kernel(small()).values).max() > 1e-7
 
 
+def test_a_sampling_rate_too_slow_for_the_loading_is_told_of_the_loading() -> None:
+    scenario = Scenario(road=ROAD, numerics={"sampling_frequency": 10.0, "lags": 2})
+    with pytest.raises(InputError, match=r"loading must take 3 to .* steps"):
+        Simulation(scenario)
+
+
 def test_the_fastest_runs_of_the_thesis_may_keep_256_lags() -> None:
     """0.2 mm in 2 ms are 103 steps: lags that no step reaches cost time and change nothing."""
     scenario = Scenario(road=ROAD, loading={"rate": 0.1})

@@ -21,17 +21,20 @@ from tyrecontact.tread.materials import Layer
 SHAPE, STEP = (6, 7), 1 / 51200
 
 
+def between(symbol: np.ndarray) -> np.ndarray:
+    """The dense matrix between all elements that values by offset (ny, nx) stand for."""
+    row, column = (index.ravel() for index in np.indices(symbol.shape))
+    return symbol[abs(row[:, None] - row), abs(column[:, None] - column)]
+
+
 def growth(kernel: Kernel, stiffness: float, steps: int = 800) -> float:
     """Pressed forces of equal springs, all in contact: their ringing late over half-way, if any.
 
     d = b - u, F = k d, u_n = g_0 F_n + history; the road b is pressed in over 20 steps.
     """
-    lattice = LatticeKernel(kernel)
-    history = History(lattice)
+    history = History(LatticeKernel(kernel))
     count = kernel.values[0].size
-    solve = np.linalg.inv(
-        np.eye(count) + stiffness * lattice.instant_matrix(np.arange(count))
-    )  # fmt: skip
+    solve = np.linalg.inv(np.eye(count) + stiffness * between(kernel.values[0]))
     tops = 1e-6 * np.random.default_rng(1).random(count)
     force = np.zeros((steps, count))
     for n in range(steps):
@@ -83,6 +86,20 @@ def test_recomputing_at_a_finer_step_raises_the_limit(
     assert growth(finer, 1.5 * limit) > 10
 
 
+def test_recomputing_costs_the_stability_of_few_contacts_and_interpolating_does_not(
+    tread_layers: list[Layer], kernel: Kernel
+) -> None:
+    """A finer step asks a single element at frequencies where it, too, is a mass.
+
+    So a road that has only begun to touch blows up earlier, although full contact bears more.
+    """
+    finer = band_limited(tread_layers, SHAPE, 1e-3, STEP / 2, 128)
+    for few in ((1, 1), (2, 2)):
+        assert critical_stiffness(kernel, few) > 5 * critical_stiffness(finer, few)
+        assert critical_stiffness(interpolated(kernel, 2), few) == np.inf
+    assert critical_stiffness(finer, SHAPE) > 2 * critical_stiffness(kernel, SHAPE)
+
+
 @pytest.mark.parametrize("stiffness", [1e4, 1e6, 1e9])
 @pytest.mark.parametrize("method", ["BDF1", "BDF2", "mobility"])
 def test_passive_kernels_ring_down_on_any_spring(
@@ -97,8 +114,6 @@ def test_passive_kernels_ring_down_on_any_spring(
 def test_the_margin_of_a_step_vanishes_where_the_springs_are_critical(kernel: Kernel) -> None:
     """1 + lambda_min(K^1/2 H K^1/2) / (1 - cos theta) at the critical angle, K equal springs."""
     theta, critical = critical_angle(kernel), critical_stiffness(kernel, SHAPE)
-    row, column = (index.ravel() for index in np.indices(SHAPE))
-    symbol = hermitian_symbol(kernel, theta)
-    matrix = symbol[abs(row[:, None] - row), abs(column[:, None] - column)]
+    matrix = between(hermitian_symbol(kernel, theta))
     margin = 1 + critical * np.linalg.eigvalsh(matrix)[0] / (1 - np.cos(theta))
     assert margin == pytest.approx(0, abs=1e-9)  # rounding

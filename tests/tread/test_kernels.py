@@ -142,10 +142,10 @@ def test_the_mobility_kernel_pays_with_its_statics(
     layers: list[Layer], static_kernel: Kernel, factor: int, low: float
 ) -> None:
     """What the sampling rate leaves out of the mobility is missing at rest (measured)."""
-    kernel = passive_mobility(layers, (4, 4), 1e-3, 1 / 51200 / factor, 256 * factor)
+    kernel = passive_mobility(layers, (2, 2), 1e-3, 1 / 51200 / factor, 128 * factor)
     share = kernel.static_compliance[0, 0] / static_kernel.values[0, 0, 0]
-    assert share == pytest.approx(1 - low, abs=2e-3)
-    # a constant force ends up holding the surface still: 1e-5 of the first step is left
+    assert share == pytest.approx(1 - low, abs=4e-3)  # by the number of lags
+    # a constant force ends up holding the surface still: 3e-5 of the first step is left
     assert abs(kernel.values[-1, 0, 0]) < 1e-4 * kernel.values[0, 0, 0]
 
 

@@ -3,7 +3,7 @@
 from tyrecontact.assembly.checks import require_consistent
 from tyrecontact.assembly.process import adhesion_law, loading_path, machine
 from tyrecontact.assembly.road import road_patch, road_scan, road_understood, roughness_springs
-from tyrecontact.assembly.tread import tread_kernel, tread_layers
+from tyrecontact.assembly.tread import tread_kernel, tread_layers, tread_thickness
 
 __all__ = [
     "adhesion_law",
@@ -16,4 +16,5 @@ __all__ = [
     "roughness_springs",
     "tread_kernel",
     "tread_layers",
+    "tread_thickness",
 ]

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tyrecontact.assembly.process import loading_path
-from tyrecontact.assembly.tread import tread_layers
+from tyrecontact.assembly.tread import tread_layers, tread_thickness
 from tyrecontact.errors import InputError
 from tyrecontact.parts.process import Numerics
 from tyrecontact.parts.tread import Tread
@@ -57,11 +57,9 @@ def _require_kernel(numerics: Numerics, layers: Sequence[Layer]) -> None:
 
 def _require_thickness(tread: Tread, indentation: float) -> None:
     """The road stays above the bottom of the tread."""
-    thickness, what = tread.thickness, "tread.thickness"
-    if tread.layers:
-        thickness = sum(layer["thickness"] for layer in tread.layers)
-        what = "the thickness of tread.layers"
+    thickness = tread_thickness(tread)
     if indentation >= thickness:
+        what = "the thickness of tread.layers" if tread.layers else "tread.thickness"
         raise InputError(
             f"loading.max_indentation must be less than {what}, {thickness:g} m, "
             f"got {indentation:g} m"
@@ -79,7 +77,7 @@ def _require_lags(scenario: Scenario, layers: Sequence[Layer]) -> None:
             f"{np.ceil(needed * rate):.0f} samples, got {lags}"
         )
     duration = float(loading_path(scenario.loading).time[-1])
-    most = np.ceil(max(duration, needed, _USUAL_MEMORY) * rate)
+    most = max(np.ceil(max(duration, needed, _USUAL_MEMORY) * rate), 2)  # fewer are none
     if lags > most:
         raise InputError(
             f"numerics.lags must be at most {most:.0f}, the steps of the loading at the sampling "

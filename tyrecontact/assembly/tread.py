@@ -43,6 +43,13 @@ def tread_kernel(scenario: Scenario) -> Kernel:
     return kernels.interpolated(coarse, factor)
 
 
+def tread_thickness(tread: Tread) -> float:
+    """How deep a road could go [m]: `tread.thickness`, or that of all `tread.layers`."""
+    if tread.layers:
+        return float(sum(layer["thickness"] for layer in tread.layers))
+    return float(tread.thickness)
+
+
 def tread_layers(tread: Tread) -> list[Layer]:
     """The layers of a tread, from the top down.
 

@@ -98,7 +98,8 @@ class Numerics(Part):
     kernel = Choice(
         "passive",
         ["passive", "passive-mobility", "band-limited", "static"],
-        "Element kernel: passive is stable, band-limited is the thesis', static is quasi-static",
+        "Element kernel: passive is stable; passive-mobility too, but 16 % off at rest; "
+        "band-limited is the thesis'; static is quasi-static",
     )
     quadrature = Choice("BDF2", ["BDF1", "BDF2"], "Convolution quadrature of the passive kernel")
     refinement = Choice(

@@ -60,23 +60,35 @@ def surface_compliance(
     at_rest = (k == 0) & (s == 0)
     thickness = sum(layer.thickness for layer in layers)
     k = np.where(at_rest, 1 / thickness, k)  # any regular value: replaced below
-    below = np.zeros((*k.shape, 2, 2), complex)  # (U, W) per (T, N) at the layer's bottom
+    below = np.zeros((2, 2, *k.shape), complex)  # (U, W) per (T, N) at the layer's bottom
     for layer in reversed(layers):
         below = _compliance_on_top(k, s, layer, below)
-    return np.where(at_rest, _oedometer_compliance(layers), -below[..., 1, 1])
+    return np.where(at_rest, _oedometer_compliance(layers), -below[1, 1])
 
 
 def _compliance_on_top(k: np.ndarray, s: np.ndarray, layer: Layer, below: np.ndarray) -> np.ndarray:
-    """Compliance matrix (..., 2, 2) on top of a layer, from that under it."""
+    """Compliance matrix (2, 2, ...) on top of a layer, from that under it."""
     waves = _Waves(k, s, layer)
-    down_u, down_t = waves.fields(layer.thickness, +1)
-    up_u, up_t = waves.fields(0.0, -1)
-    reflection = -np.linalg.solve(up_u - below @ up_t, down_u - below @ down_t)
-    down_u, down_t = waves.fields(0.0, +1)
-    up_u, up_t = waves.fields(layer.thickness, -1)
-    displacement = down_u + up_u @ reflection
-    stress = down_t + up_t @ reflection
-    return displacement @ np.linalg.inv(stress)
+    near_u, near_t = waves.fields(0.0)
+    far_u, far_t = waves.fields(layer.thickness)
+    # of waves that go up W and T change sign
+    flip = np.array([1.0, -1.0]).reshape(2, 1, *[1] * k.ndim)
+    mismatch = _inverse(near_u * flip + _product(below, near_t * flip))
+    reflection = _product(mismatch, _product(below, far_t) - far_u)
+    displacement = near_u + _product(far_u * flip, reflection)
+    stress = near_t - _product(far_t * flip, reflection)
+    return _product(displacement, _inverse(stress))
+
+
+def _product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Product of matrices (2, 2, ...): written out, several times faster than `@`."""
+    return np.array([[row[0] * b[0, j] + row[1] * b[1, j] for j in (0, 1)] for row in a])
+
+
+def _inverse(a: np.ndarray) -> np.ndarray:
+    """Inverse of matrices (2, 2, ...)."""
+    (p, q), (r, s) = a
+    return np.array([[s, -q], [-r, p]]) / (p * s - q * r)
 
 
 class _Waves:
@@ -93,26 +105,25 @@ class _Waves:
         self.p_part = ratio / (1 - ratio) * both / (self.p + k)  # (gamma_p - k) / gap
         self.s_part = 1 / (1 - ratio) * both / (self.s + k)  # (gamma_s - k) / gap
 
-    def fields(self, zeta: float, sign: int) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements [[P_U, D_U], [P_W, D_W]] and stresses [[P_T, D_T], [P_N, D_N]]."""
+    def fields(self, zeta: float) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements [[P_U, D_U], [P_W, D_W]] and stresses [[P_T, D_T], [P_N, D_N]].
+
+        Of the waves that go down (sign = +1).
+        """
         k, p, s = self.k, self.p, self.s
         decay_p, decay_s = np.exp(-p * zeta), np.exp(-s * zeta)
         spread = self._divided_exponential(decay_p, decay_s, zeta)
         twist = s**2 + k**2
         displacement = [
             [k * decay_p, k * spread - self.s_part * decay_s],
-            [-sign * p * decay_p, -sign * (p * spread + self.p_part * decay_s)],
+            [-p * decay_p, -(p * spread + self.p_part * decay_s)],
         ]
         shear_part = 2 * k * self.p_part - (s + k) * self.s_part
         stress = [
-            [-sign * 2 * k * p * decay_p, -sign * (2 * k * p * spread + shear_part * decay_s)],
+            [-2 * k * p * decay_p, -(2 * k * p * spread + shear_part * decay_s)],
             [twist * decay_p, twist * spread + (s - k) * self.s_part * decay_s],
         ]
-        stacked = np.moveaxis(np.array(stress), (0, 1), (-2, -1))
-        return (
-            np.moveaxis(np.array(displacement), (0, 1), (-2, -1)),
-            self.shear_modulus[..., None, None] * stacked,
-        )
+        return np.array(displacement), self.shear_modulus * np.array(stress)
 
     def _divided_exponential(
         self, decay_p: np.ndarray, decay_s: np.ndarray, zeta: float

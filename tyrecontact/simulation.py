@@ -195,7 +195,8 @@ class Simulation:
 
     def _reason_to_stop(self, step: Step, state: State) -> str:
         """Why a run must not go on after this step, or nothing."""
-        limit = assembly.tread_thickness(self.scenario.tread)  # more than that is no solution of anything
+        # displaced by more than that is no solution of anything
+        limit = assembly.tread_thickness(self.scenario.tread)
         if not np.abs(step.displacement).max() <= limit:
             return (
                 f"diverged at step {step.index}: the tread is displaced by more than "

@@ -51,7 +51,7 @@ def stiffness_factor(
 
     Source: Lebedev and Ufliand, PMM 22 (1958) 320-326; Yang, Mech. Mater. 30 (1998) 275-286.
     """
-    kappa, _ = _factor_and_exponent(radius_over_thickness, poissons_ratio, bonded)
+    kappa, _ = factor_and_exponent(radius_over_thickness, poissons_ratio, bonded)
     return kappa
 
 
@@ -64,13 +64,14 @@ def stiffness_exponent(
     stiffness of a punch, k = 2 E a kappa / (1 - nu^2), grows with its radius as
     dk/da = (k / a)(1 + exponent) while the layer's thickness stays.
     """
-    _, exponent = _factor_and_exponent(radius_over_thickness, poissons_ratio, bonded)
+    _, exponent = factor_and_exponent(radius_over_thickness, poissons_ratio, bonded)
     return exponent
 
 
-def _factor_and_exponent(
-    radius_over_thickness: np.ndarray, poissons_ratio: float, bonded: bool
+def factor_and_exponent(
+    radius_over_thickness: np.ndarray, poissons_ratio: float = 0.5, bonded: bool = False
 ) -> tuple[np.ndarray, np.ndarray]:
+    """`stiffness_factor` and `stiffness_exponent` at once."""
     if not 0 <= poissons_ratio <= 0.5:
         raise InputError(f"poissons_ratio must lie in [0, 0.5], got {poissons_ratio}")
     ratio = np.asarray(radius_over_thickness, float)

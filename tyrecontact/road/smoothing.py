@@ -14,13 +14,15 @@ is non-negative and does not fall; the b_m make the sum of (F / F_raw - 1)^2 ove
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from scipy.optimize import isotonic_regression, nnls
 from scipy.stats import binom
 
 _ORDER = 10
 #: compressions, as shares of the full one, at which the polynomial is fitted
-_SHARES = (np.arange(1, 257) / 256) ** 2
+_SHARES = (np.arange(1, 65) / 64) ** 2
 
 
 def convex_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray) -> np.ndarray:
@@ -57,9 +59,8 @@ def polynomial_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray)
 
     Source: thesis, chapter 3.2 ("a polynomial fit of order ten, derivative positive").
     """
-    _, integral = _bases(_SHARES)
-    share = np.minimum(delta / full[:, None], 1.0)
-    stiffness, log_delta = np.empty_like(force), np.log(delta[1:])
+    integral, log_delta = _rising_integrals(_SHARES), np.log(delta[1:])
+    slopes = np.empty((full.size, _ORDER))  # b_m
     for i, (log_force, end) in enumerate(zip(np.log(force[:, 1:]), full, strict=True)):
         known = _SHARES * end >= delta[1]
         # between nodes a power of delta
@@ -67,17 +68,22 @@ def polynomial_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray)
         relative = integral[known] / raw[:, None]
         size = np.linalg.norm(relative, axis=0)
         steps, _ = nnls(relative / size, np.ones(raw.size), maxiter=1000)
-        stiffness[i] = _bases(share[i])[0] @ (steps / size) / end
-    return stiffness
+        slopes[i] = np.cumsum(steps / size) / end
+    return _bernstein(slopes, np.minimum(delta / full[:, None], 1.0))
 
 
-def _bases(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Functions of x, shape (x, 10), whose sums with coefficients >= 0 rise; their integrals.
+def _rising_integrals(x: np.ndarray) -> np.ndarray:
+    """Integrals from 0 to x of B_m,9 + ... + B_9,9, m = 0 .. 9, shape (x, 10).
 
-    The m-th is B_m,9 + ... + B_9,9: the coefficients b of Bernstein's basis as sums of steps.
-    The integral of B_m,9 is (B_m+1,10 + ... + B_10,10) / 10.
+    With these steps of b >= 0 the b rise; the integral of B_m,9 is (B_m+1,10 + ... + B_10,10) / 10.
     """
-    m = np.arange(_ORDER)
-    rising = binom.sf(m - 1, _ORDER - 1, x[:, None])
-    above = binom.sf(m, _ORDER, x[:, None]) / _ORDER
-    return rising, above[:, ::-1].cumsum(axis=1)[:, ::-1]
+    above = binom.sf(np.arange(_ORDER), _ORDER, x[:, None]) / _ORDER
+    return above[:, ::-1].cumsum(axis=1)[:, ::-1]
+
+
+def _bernstein(coefficients: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Sum of b_m B_m,9(x), one polynomial a row of x, by de Casteljau's convex combinations."""
+    levels = [coefficients[:, m, None] for m in range(coefficients.shape[1])]
+    while len(levels) > 1:
+        levels = [low + x * (high - low) for low, high in pairwise(levels)]
+    return levels[0]

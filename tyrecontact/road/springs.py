@@ -18,7 +18,7 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from tyrecontact.errors import InputError, unknown_name
-from tyrecontact.road.punch import stiffness_exponent, stiffness_factor
+from tyrecontact.road.punch import factor_and_exponent
 from tyrecontact.road.simplification import exchange_stiffest, linearised, mean, standard
 from tyrecontact.road.smoothing import convex_stiffness, polynomial_stiffness
 from tyrecontact.road.spring_tables import Springs, graded, linear, tabulated
@@ -70,24 +70,22 @@ def from_heights(
 
     Source: physics.md section 2; thesis, chapter 3.2.
     """
-    if not 0 < youngs_modulus < np.inf:
-        raise InputError(f"youngs_modulus of the springs must be positive, got {youngs_modulus} Pa")
-    for what, value, known in (
-        ("reading of springs", reading, READINGS),
-        ("smoothing of springs", smoothing, SMOOTHINGS),
-    ):
-        if value not in known:
-            raise unknown_name(what, value, known)
+    _require_known("reading", reading, READINGS)
+    _require_known("smoothing", smoothing, SMOOTHINGS)
     punch = _Punches.of(heights, pitch, youngs_modulus, bonded)
     tangent = reading == "tangent"
     stiffness = _stiffness(punch, tangent, smoothing)
     springs = tabulated(float(punch.delta[-1]), stiffness, punch.table, tangent)
-    of_punch = springs.contact_table[..., 1]
-    of_punch[:] = stiffness
+    springs.contact_table[..., 1] = stiffness
     if not tangent:
         force = springs.energy_table[..., 4]  # U' at the nodes
-        of_punch[:, 1:] = force[:, 1:] / punch.delta[1:]
+        springs.contact_table[:, 1:, 1] = force[:, 1:] / punch.delta[1:]
     return springs
+
+
+def _require_known(what: str, value: str, known: tuple[str, ...]) -> None:
+    if value not in known:
+        raise unknown_name(f"{what} of springs", value, known)
 
 
 @dataclass(frozen=True)
@@ -103,6 +101,10 @@ class _Punches:
 
     @classmethod
     def of(cls, heights: np.ndarray, pitch: float, youngs_modulus: float, bonded: bool) -> _Punches:
+        if not 0 < youngs_modulus < np.inf:
+            raise InputError(
+                f"youngs_modulus of the springs must be positive, got {youngs_modulus} Pa"
+            )
         below_top = np.sort(heights.max(axis=-1, keepdims=True) - heights, axis=-1)
         full = below_top[:, -1]
         depth = float(full.max())
@@ -114,8 +116,9 @@ class _Punches:
         touching = np.array([np.searchsorted(row, delta, side="left") for row in below_top])
         radius = pitch * np.sqrt(touching / np.pi)
         ratio = radius / np.maximum(full[:, None] - delta, pitch)
-        per_radius = 8 / 3 * youngs_modulus * stiffness_factor(ratio, bonded=bonded)
-        slope = per_radius * (1 + stiffness_exponent(ratio, bonded=bonded))
+        factor, exponent = factor_and_exponent(ratio, bonded=bonded)
+        per_radius = 8 / 3 * youngs_modulus * factor
+        slope = per_radius * (1 + exponent)
         return cls(delta, full, np.stack([radius, per_radius * radius, slope], axis=-1))
 
 

@@ -32,6 +32,7 @@ def road_patch(road: Road) -> Patch:
         offset=road.valley_offset,
         stone_size=road.stone_size,
         plateau_wavelength=road.plateau_wavelength,
+        polish=road.polish,
         hurst=road.hurst,
         seed=road.seed,
     )

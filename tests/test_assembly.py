@@ -51,6 +51,7 @@ def test_a_made_road_depends_on_its_seed_alone() -> None:
         {"valley_offset": 0.0},
         {"plateau_rms": 10e-6},
         {"plateau_wavelength": 4e-3},
+        {"polish": 6.0},
         {"hurst": 0.6},
     ],
     ids=lambda change: next(iter(change)),

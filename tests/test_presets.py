@@ -86,7 +86,8 @@ def test_thesis_instability_fails_where_the_thesis_does(preset_run: Runs) -> Non
     results = preset_run("thesis-instability")
     failed = results.failed_at
     assert failed is not None
-    assert 0.03e-3 < results.indentation[failed] < 0.13e-3
+    # 0.05-0.06 mm, within 25 %
+    assert 0.0375e-3 < results.indentation[failed] < 0.075e-3
     assert results.iterations[failed] == results.iterations.max() == 10
     assert len(results) == len(preset_run("default"))  # it goes on, for all to see
 
@@ -137,6 +138,14 @@ def test_thesis_exchange_exchanges_the_80_stiffest_springs() -> None:
     before, _ = Simulation(presets.get("thesis-instability")).springs.force_and_stiffness(depth)
     assert np.sum(force != before) == 80
     assert np.sort(before)[-81] == pytest.approx(force.max(), rel=1e-12)  # rounding
+
+
+def test_the_exchange_helps_as_it_does_in_the_thesis(preset_run: Runs) -> None:
+    results = preset_run("thesis-instability")
+    steps = takewhile(lambda step: step.converged, Simulation(presets.get("thesis-exchange")))
+    *_, last = steps
+    # it more than doubles the indentation; where exactly noise becomes failure is chance
+    assert last.indentation > 1.3 * results.indentation[results.failed_at]
 
 
 def test_adhesion_pulls_until_all_bonds_have_parted(preset_run: Runs) -> None:

@@ -98,6 +98,25 @@ def test_a_worn_road_has_more_pits_than_peaks(seed: int) -> None:
     assert worn(SIZE, PITCH, **WORN, seed=seed).skewness < -0.5
 
 
+def test_polish_takes_the_pits_from_the_highest_parts_and_leaves_them_in_the_lowest() -> None:
+    even = worn(SIZE, PITCH, **WORN, seed=7).heights
+    polished = worn(SIZE, PITCH, **WORN, polish=10.0, seed=7).heights
+    rng = np.random.default_rng(7)
+    self_affine(SIZE, PITCH, 40e-6, roll_off_wavelength=2e-3, seed=rng)
+    plateau = self_affine(SIZE, PITCH, 8e-6, roll_off_wavelength=0.5e-3, seed=rng).heights
+    high, low = (plateau > np.quantile(plateau, 0.8), plateau < np.quantile(plateau, 0.2))
+    assert polished.max() == plateau.max()  # no part of the plateau is raised or lowered itself
+    assert np.mean(even[high] < plateau[high]) > 0.2  # pits to begin with
+    assert np.mean(polished[high] < plateau[high]) < 0.02  # 80 um more offset than 40 um of rms
+    assert np.mean(polished[low] < plateau[low]) > np.mean(even[low] < plateau[low])
+
+
+@pytest.mark.parametrize("polish", [-1.0, np.nan, np.inf])
+def test_an_impossible_polish_is_refused(polish: float) -> None:
+    with pytest.raises(InputError, match="polish must be finite and not negative"):
+        worn(SIZE, PITCH, **WORN, polish=polish)
+
+
 @pytest.mark.parametrize(
     ("setting", "value"),
     [("size", 0.0), ("pitch", -1e-5), ("rms", np.nan), ("hurst", 0.0), ("hurst", 1.5),

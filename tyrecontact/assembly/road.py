@@ -99,6 +99,7 @@ def _made(road: Road) -> Patch:
             offset=road.valley_offset,
             stone_size=road.stone_size,
             plateau_wavelength=road.plateau_wavelength,
+            polish=road.polish,
             **common,
         )
     made.heights.flags.writeable = False  # it is shared

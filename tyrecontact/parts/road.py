@@ -43,17 +43,20 @@ class Road(Part):
         50e-6, (-5e-3, 5e-3), "m", "Where a clipped road is cut, above its mean", _UM
     )
     stone_size = Quantity(
-        5e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of stones and valleys", _MM
+        1.15e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of stones and valleys", _MM
     )
-    valley_rms = Quantity(150e-6, (1e-6, 5e-3), "m", "Rms height of stones and valleys", _UM)
+    valley_rms = Quantity(300e-6, (1e-6, 5e-3), "m", "Rms height of stones and valleys", _UM)
     valley_offset = Quantity(
-        120e-6, (-5e-3, 5e-3), "m", "Mean of the valleys' surface above the plateau: wear", _UM
+        430e-6, (-5e-3, 5e-3), "m", "Mean of the valleys' surface above the plateau: wear", _UM
     )
-    plateau_rms = Quantity(22e-6, (1e-7, 1e-3), "m", "Rms height of the polished plateau", _UM)
+    plateau_rms = Quantity(20e-6, (1e-7, 1e-3), "m", "Rms height of the polished plateau", _UM)
     plateau_wavelength = Quantity(
-        16e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of the polished plateau", _MM
+        17e-3, (0.2e-3, 0.1), "m", "Roll-off wavelength of the polished plateau", _MM
     )
-    hurst = Quantity(0.8, (0.05, 1.0), "", "Hurst exponent of all surfaces")
+    polish = Quantity(
+        1.5, (0.0, 100.0), "", "Mean of the valleys raised per height of the plateau: tops polished"
+    )
+    hurst = Quantity(1.0, (0.05, 1.0), "", "Hurst exponent of all surfaces")
 
 
 class Springs(Part):

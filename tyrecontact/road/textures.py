@@ -5,8 +5,13 @@ A self-affine surface has the power spectrum
     C(q) = C0 for q < q0,    C0 (q / q0)^(-2 (1 + H)) for q0 < q < q1,    0 above,
 
 with random phases; q0 = 2 pi / roll-off wavelength, q1 = 2 pi / short cut-off. A worn road is
-the lower of two such surfaces: stones and valleys, and the plateau to which traffic has
-polished the stones, min(valleys + offset, plateau). Its heights are skewed to the negative.
+the lower of two such surfaces: the plateau to which traffic has polished the stones, and the
+pits and valleys that are left in it,
+
+    z = min(valleys + offset + polish * plateau, plateau).
+
+What stands higher is polished more: with `polish` the highest parts of the plateau have lost
+their pits, the lowest have kept them. The heights are skewed to the negative.
 A clipped road is a self-affine one cut at a height: stones with flat tops, all equally high.
 """
 
@@ -90,6 +95,7 @@ def worn(
     offset: float,
     stone_size: float,
     plateau_wavelength: float,
+    polish: float = 0.0,
     hurst: float = 0.8,
     seed: int = 1,
 ) -> Patch:
@@ -102,8 +108,12 @@ def worn(
     offset : how high the mean of the valley surface lies above that of the plateau [m]: the
         larger, the more worn.
     stone_size, plateau_wavelength : their roll-off wavelengths [m].
+    polish : offset gained per height of the plateau above its mean [-], not negative; 0: wear
+        is the same everywhere.
     hurst, seed : as in `self_affine`.
     """
+    if not 0 <= polish < np.inf:
+        raise InputError(f"polish must be finite and not negative, got {polish}")
     rng = np.random.default_rng(seed)
     valleys = self_affine(
         size, pitch, valley_rms, roll_off_wavelength=stone_size, hurst=hurst, seed=rng
@@ -111,7 +121,8 @@ def worn(
     plateau = self_affine(
         size, pitch, plateau_rms, roll_off_wavelength=plateau_wavelength, hurst=hurst, seed=rng
     )
-    return Patch(np.minimum(valleys.heights + offset, plateau.heights), pitch)
+    unworn = valleys.heights + offset + polish * plateau.heights
+    return Patch(np.minimum(unworn, plateau.heights), pitch)
 
 
 def clipped(

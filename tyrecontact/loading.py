@@ -114,12 +114,21 @@ class Path:
         return Schedule(step * time_step, along, np.concatenate(rests))
 
     def _legs(self, time_step: float) -> tuple[np.ndarray, np.ndarray]:
-        """Number of steps of each leg, and the drive at the knots."""
-        if not self.on_grid:
-            return np.maximum(np.rint(np.diff(self.time) / time_step), 1), self.drive
-        step = np.rint(self.time / time_step)
-        kept = np.append(np.diff(step) > 0, True)
-        return np.diff(step[kept]), self.drive[kept]
+        """Number of steps of each leg, and the drive at the knots.
+
+        A hold is one leg, however many rows of a table it is written in.
+        """
+        if self.on_grid:
+            step = np.rint(self.time / time_step)
+            kept = np.append(np.diff(step) > 0, True)
+            step, drive = step[kept], self.drive[kept]
+        else:
+            legs = np.maximum(np.rint(np.diff(self.time) / time_step), 1)
+            step, drive = np.append(0.0, np.cumsum(legs)), self.drive
+        held = np.diff(drive) == 0
+        inside = np.zeros(drive.size, bool)
+        inside[1:-1] = held[1:] & held[:-1]
+        return np.diff(step[~inside]), drive[~inside]
 
 
 def _held(leg: float, settling: float) -> np.ndarray:
@@ -141,9 +150,13 @@ def quadratic(max_indentation: float, acceleration: float) -> Path:
     return Path(np.array([0, duration]), np.array([0, max_indentation]), accelerated)
 
 
-def sinusoidal(largest: float, lowest: float, period: float) -> Path:
-    """One period [s] of a cosine from `lowest` to `largest` and back (thesis, Fig. 49)."""
-    return Path(np.array([0, 0.5, 1]) * period, np.array([lowest, largest, lowest]), swinging)
+def sinusoidal(largest: float, lowest: float, period: float, first: float | None = None) -> Path:
+    """One period [s] of a cosine from `lowest` to `largest` and back (thesis, Fig. 49).
+
+    [m] or [N]; it begins at `first` instead of `lowest` where that is given.
+    """
+    begin = lowest if first is None else first
+    return Path(np.array([0, 0.5, 1]) * period, np.array([begin, largest, lowest]), swinging)
 
 
 def load_hold_unload(
@@ -196,6 +209,8 @@ def read_table(path: str | FilePath) -> Path:
     """
     path = FilePath(path).expanduser()
     try:
+        if path.exists() and not path.is_file():  # a device or a pipe may never end
+            raise InputError(f"loading.table must be a file, got {path.name}, which is none")
         size = path.stat().st_size
         if size > MAX_TABLE_BYTES:
             raise InputError(

@@ -7,7 +7,6 @@ With a = sqrt(R c) and k = 2 E* a the contact at compression d has
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np

@@ -19,6 +19,7 @@ from tyrecontact.tread.kernels import Kernel, passive
 from tyrecontact.tread.materials import FractionalKelvinVoigt, Layer, NearlyConstantLoss
 
 SHAPE = (8, 8)
+_SOLVER = Solver(robust, 1e-14, 60, extrapolates=True)
 
 
 @pytest.fixture(scope="session")
@@ -95,7 +96,7 @@ def follow() -> Callable[..., Cycle]:
         bodies: Bodies,
         drives: Sequence[float] | np.ndarray | Sequence[Moment],
         time_step: float = 1 / 51200,
-        solver: Solver = Solver(robust, 1e-14, 60, extrapolates=True),
+        solver: Solver = _SOLVER,
     ) -> Cycle:
         state, steps, energy = State.at_rest(bodies), [], []
         for drive in drives:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path as FilePath
+from stat import S_ISREG
 
 import numpy as np
 
@@ -58,8 +59,8 @@ class Path:
     ----------
     time, drive : knots [s] and [m or N], shape (knots,), time increasing from 0.
     course : share of a leg's way against share of its time, both from 0 to 1.
-    on_grid : knots are moved to the nearest step, those that meet are one; otherwise each leg
-        takes a whole number of steps, at least one, so that no knot is lost.
+    on_grid : knots are moved to the nearest step, of those that meet the nearest is taken;
+        otherwise each leg takes a whole number of steps, at least one, so that no knot is lost.
     """
 
     time: np.ndarray
@@ -120,8 +121,11 @@ class Path:
         """
         if self.on_grid:
             step = np.rint(self.time / time_step)
-            kept = np.append(np.diff(step) > 0, True)
-            step, drive = step[kept], self.drive[kept]
+            distance = np.abs(self.time / time_step - step)
+            distance[[0, -1]] = -1  # both ends are met whatever they are near to
+            order = np.lexsort((distance, step))
+            step, first = np.unique(step[order], return_index=True)
+            drive = self.drive[order[first]]
         else:
             legs = np.maximum(np.rint(np.diff(self.time) / time_step), 1)
             step, drive = np.append(0.0, np.cumsum(legs)), self.drive
@@ -209,22 +213,29 @@ def read_table(path: str | FilePath) -> Path:
     """
     path = FilePath(path).expanduser()
     try:
-        if path.exists() and not path.is_file():  # a device or a pipe may never end
-            raise InputError(f"loading.table must be a file, got {path.name}, which is none")
-        size = path.stat().st_size
-        if size > MAX_TABLE_BYTES:
-            raise InputError(
-                f"loading.table must have at most {MAX_TABLE_BYTES / 1e6:.0f} MB, "
-                f"got {size / 1e6:.0f} MB"
-            )
-        lines = path.read_text(encoding="utf-8-sig").translate(str.maketrans(",;", "  "))
-        rows = [line.partition("#")[0].split() for line in lines.splitlines()]
-        columns = np.array([row for row in rows if row], float)
+        text = _read_text(path)
     except OSError as error:
         reason = error.strerror or str(error)
         raise InputError(f"loading.table must be readable, got {path.name}: {reason}") from None
+    try:
+        rows = [line.partition("#")[0].split() for line in text.splitlines()]
+        columns = np.array([row for row in rows if row], float)
     except ValueError:
         columns = np.empty(0)
     if columns.ndim != 2 or columns.shape[1] != 2:
         raise InputError(f"loading.table must hold two columns of numbers, got {path.name}")
     return table(columns[:, 0], columns[:, 1])
+
+
+def _read_text(path: FilePath) -> str:
+    """Contents of a file, separators as spaces; bytes that are no text become question marks."""
+    found = path.stat()
+    if not S_ISREG(found.st_mode):  # a device or a pipe may never end
+        raise InputError(f"loading.table must be a file, got {path.name}, which is none")
+    if found.st_size > MAX_TABLE_BYTES:
+        raise InputError(
+            f"loading.table must have at most {MAX_TABLE_BYTES / 1e6:g} MB, "
+            f"got {found.st_size / 1e6:.3g} MB"
+        )
+    text = path.read_text(encoding="utf-8-sig", errors="replace")
+    return text.translate(str.maketrans(",;", "  "))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path as FilePath
+from stat import S_ISREG
 
 import numpy as np
 
@@ -58,8 +59,8 @@ class Path:
     ----------
     time, drive : knots [s] and [m or N], shape (knots,), time increasing from 0.
     course : share of a leg's way against share of its time, both from 0 to 1.
-    on_grid : knots are moved to the nearest step, those that meet are one; otherwise each leg
-        takes a whole number of steps, at least one, so that no knot is lost.
+    on_grid : knots are moved to the nearest step, of those that meet the nearest is taken;
+        otherwise each leg takes a whole number of steps, at least one, so that no knot is lost.
     """
 
     time: np.ndarray
@@ -114,12 +115,24 @@ class Path:
         return Schedule(step * time_step, along, np.concatenate(rests))
 
     def _legs(self, time_step: float) -> tuple[np.ndarray, np.ndarray]:
-        """Number of steps of each leg, and the drive at the knots."""
-        if not self.on_grid:
-            return np.maximum(np.rint(np.diff(self.time) / time_step), 1), self.drive
-        step = np.rint(self.time / time_step)
-        kept = np.append(np.diff(step) > 0, True)
-        return np.diff(step[kept]), self.drive[kept]
+        """Number of steps of each leg, and the drive at the knots.
+
+        A hold is one leg, however many rows of a table it is written in.
+        """
+        if self.on_grid:
+            step = np.rint(self.time / time_step)
+            distance = np.abs(self.time / time_step - step)
+            distance[[0, -1]] = -1  # both ends are met whatever they are near to
+            order = np.lexsort((distance, step))
+            step, first = np.unique(step[order], return_index=True)
+            drive = self.drive[order[first]]
+        else:
+            legs = np.maximum(np.rint(np.diff(self.time) / time_step), 1)
+            step, drive = np.append(0.0, np.cumsum(legs)), self.drive
+        held = np.diff(drive) == 0
+        inside = np.zeros(drive.size, bool)
+        inside[1:-1] = held[1:] & held[:-1]
+        return np.diff(step[~inside]), drive[~inside]
 
 
 def _held(leg: float, settling: float) -> np.ndarray:
@@ -141,9 +154,13 @@ def quadratic(max_indentation: float, acceleration: float) -> Path:
     return Path(np.array([0, duration]), np.array([0, max_indentation]), accelerated)
 
 
-def sinusoidal(largest: float, lowest: float, period: float) -> Path:
-    """One period [s] of a cosine from `lowest` to `largest` and back (thesis, Fig. 49)."""
-    return Path(np.array([0, 0.5, 1]) * period, np.array([lowest, largest, lowest]), swinging)
+def sinusoidal(largest: float, lowest: float, period: float, first: float | None = None) -> Path:
+    """One period [s] of a cosine from `lowest` to `largest` and back (thesis, Fig. 49).
+
+    [m] or [N]; it begins at `first` instead of `lowest` where that is given.
+    """
+    begin = lowest if first is None else first
+    return Path(np.array([0, 0.5, 1]) * period, np.array([begin, largest, lowest]), swinging)
 
 
 def load_hold_unload(
@@ -196,20 +213,29 @@ def read_table(path: str | FilePath) -> Path:
     """
     path = FilePath(path).expanduser()
     try:
-        size = path.stat().st_size
-        if size > MAX_TABLE_BYTES:
-            raise InputError(
-                f"loading.table must have at most {MAX_TABLE_BYTES / 1e6:.0f} MB, "
-                f"got {size / 1e6:.0f} MB"
-            )
-        lines = path.read_text(encoding="utf-8-sig").translate(str.maketrans(",;", "  "))
-        rows = [line.partition("#")[0].split() for line in lines.splitlines()]
-        columns = np.array([row for row in rows if row], float)
+        text = _read_text(path)
     except OSError as error:
         reason = error.strerror or str(error)
         raise InputError(f"loading.table must be readable, got {path.name}: {reason}") from None
+    try:
+        rows = [line.partition("#")[0].split() for line in text.splitlines()]
+        columns = np.array([row for row in rows if row], float)
     except ValueError:
         columns = np.empty(0)
     if columns.ndim != 2 or columns.shape[1] != 2:
         raise InputError(f"loading.table must hold two columns of numbers, got {path.name}")
     return table(columns[:, 0], columns[:, 1])
+
+
+def _read_text(path: FilePath) -> str:
+    """Contents of a file, separators as spaces; bytes that are no text become question marks."""
+    found = path.stat()
+    if not S_ISREG(found.st_mode):  # a device or a pipe may never end
+        raise InputError(f"loading.table must be a file, got {path.name}, which is none")
+    if found.st_size > MAX_TABLE_BYTES:
+        raise InputError(
+            f"loading.table must have at most {MAX_TABLE_BYTES / 1e6:g} MB, "
+            f"got {found.st_size / 1e6:.3g} MB"
+        )
+    text = path.read_text(encoding="utf-8-sig", errors="replace")
+    return text.translate(str.maketrans(",;", "  "))

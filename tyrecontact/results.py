@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tyrecontact import figures
 from tyrecontact.contact.bonds import ElementState
 from tyrecontact.errors import InputError
 from tyrecontact.scenario import Scenario
@@ -170,11 +171,11 @@ class Results:
 
     @property
     def adherence_force(self) -> float | None:
-        """Force at complete separation minus the least force [N]; None without a separation."""
-        contacts, force = self.columns["contacts"], self.columns["contact_force"]
-        if not (len(self) and contacts.any() and contacts[-1] == 0) or self.failed_at is not None:
-            return None
-        return abs(min(float(force.min()), 0.0))
+        """Force at complete separation minus the least force [N].
+
+        None without a separation, or where the run failed.
+        """
+        return None if self.failed_at is not None else figures.adherence_force(self.columns)
 
     @property
     def final_stiffness(self) -> float | None:
@@ -182,14 +183,25 @@ class Results:
 
         None where there are not three steps there, or the run had failed by then.
         """
-        if not len(self):
+        top, failed = figures.turn(self.columns), self.failed_at
+        if top is None or (failed is not None and failed <= top):
             return None
-        depth = self.columns["indentation"]
-        top = int(depth.argmax())
-        last = np.flatnonzero(depth[: top + 1] >= 0.9 * depth[top])
-        if last.size < 3 or (self.failed_at is not None and self.failed_at <= top):
-            return None
-        return float(np.polyfit(depth[last], self.columns["contact_force"][last], 1)[0])
+        return figures.final_stiffness(self.columns)
+
+    @property
+    def avalanches(self) -> np.ndarray:
+        """Number of bonds that broke in each event, shape (events,) (see `figures`)."""
+        return figures.avalanches(self.columns)
+
+    @property
+    def largest_avalanche(self) -> int:
+        """Number of bonds that broke in the largest event."""
+        return int(self.avalanches.max(initial=0))
+
+    @property
+    def energy(self) -> dict[str, float]:
+        """The energy account at the end [J]: work of the drive, where it went, the imbalance."""
+        return figures.energy_account(self.columns)
 
     def summary(self) -> dict[str, Any]:
         """The headline figures, SI, as plain values."""
@@ -208,6 +220,9 @@ class Results:
             "max_force": float(self.columns["contact_force"].max(initial=0.0)),
             "adherence_force": self.adherence_force,
             "final_stiffness": self.final_stiffness,
+            "releases": int(self.columns["releases"].sum()),
+            "largest_avalanche": self.largest_avalanche,
+            "energy": self.energy,
             "iterations_max": int(iterations.max(initial=0)),
             "iterations_mean": float(iterations.mean()) if len(self) else 0.0,
         }

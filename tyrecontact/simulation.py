@@ -52,7 +52,9 @@ class Simulation:
         numerics = self.scenario.numerics
         self.time_step = 1 / (numerics.sampling_frequency * numerics.time_resolution_factor)
         assembly.require_consistent(self.scenario)
+        assembly.machine(self.scenario.loading)  # what it refuses is refused now
         path = assembly.loading_path(self.scenario.loading)
+        assembly.require_shallow(path, self.scenario)
         stepped = numerics.long_holds == "stepped"
         memory = np.inf if stepped else numerics.lags / numerics.sampling_frequency
         self.schedule = path.schedule(self.time_step, memory)
@@ -62,10 +64,10 @@ class Simulation:
 
     def __iter__(self) -> Iterator[Step]:
         bodies, solver, margin = self.bodies, self.solver, StabilityMargin(self.kernel)
-        state = State.at_rest(bodies)
+        state = State.at_rest(bodies, self._start)
         for index, moment in enumerate(self._moments()):
             equilibrium = advance(bodies, solver, state, moment)
-            step = self._step(index, equilibrium, state, margin.of(equilibrium.stiffness))
+            step = self._step(index, equilibrium, state, margin.of(equilibrium.solution.stiffness))
             step = replace(step, stop_reason=self._reason_to_stop(step, state))
             yield step
             if step.stop_reason:
@@ -150,6 +152,12 @@ class Simulation:
         if self.scenario.numerics.jacobian == "as-printed":
             return partial(newton.thesis, as_printed=True)
         return newton.thesis
+
+    @property
+    def _start(self) -> float:
+        """Where the road is before the first step [m]: first touch, or above it."""
+        forced = self.scenario.loading.drive == "force"
+        return 0.0 if forced else min(float(self.schedule.drive[0]), 0.0)
 
     def _moments(self) -> Iterator[Moment]:
         schedule = self.schedule

@@ -187,3 +187,43 @@ def test_nothing_touches_nothing(
     solution = method(tread.now, free, target, tops - 2e-5, TOLERANCE, 10)
     np.testing.assert_array_equal(solution.force, 0)
     np.testing.assert_allclose(solution.compression, target, atol=TOLERANCE)
+
+
+def test_the_jacobian_as_printed_diverges_where_the_exact_one_converges(
+    tread: LatticeKernel, linear_springs: Callable[[np.ndarray], Springs]
+) -> None:
+    """Eq. 8 of the thesis scales rows instead of columns: a stiff spring k among soft ones.
+
+    Errors then grow where sum (k g_0[i, j])^2 over its neighbours exceeds 1 + k g_0[i, i].
+    """
+    stiffness = np.full(64, 1e3)
+    stiffness[27] = 1e7
+    near = tread.now.matrix(np.arange(64))[27] * 1e7
+    assert (near**2).sum() - near[27] ** 2 > 1 + near[27]
+    interface = Mirrored(linear_springs(stiffness), np.ones(64, bool))
+    known = (tread.now, interface, np.full(64, 1e-5), np.full(64, 0.9e-5), 1e-15, 10)
+    exact, printed = thesis(*known), thesis(*known, as_printed=True)
+    assert exact.converged
+    assert exact.iterations <= 3  # a linear system
+    assert printed.residual > 1.0  # metres, from micrometres
+
+
+def test_the_jacobian_as_printed_is_too_slow_on_a_rough_road(
+    tread: LatticeKernel, rough_springs: Springs, tops: np.ndarray
+) -> None:
+    """One step of 1 um, and the ten iterations of the thesis."""
+    interface = Mirrored(rough_springs, np.zeros(64, bool))
+    begun = thesis(tread.now, interface, 6e-5 + tops, np.zeros(64), 1e-13, 60)
+    known = (tread.now, interface, 6.1e-5 + tops, begun.compression, 1e-13, 10)
+    assert thesis(*known).converged
+    assert not thesis(*known, as_printed=True).converged
+
+
+def test_the_jacobian_as_printed_does_where_all_springs_are_one(
+    tread: LatticeKernel, linear_springs: Callable[[np.ndarray], Springs]
+) -> None:
+    """Equal stiffnesses make rows and columns the same: the misprint is one of the index alone."""
+    interface = Mirrored(linear_springs(np.full(64, 1e5)), np.zeros(64, bool))
+    target = np.full(64, 1e-5)
+    found = thesis(tread.now, interface, target, target, 1e-15, 5, as_printed=True)
+    assert found.converged

@@ -1,6 +1,6 @@
 """From settings to bodies: the road, its springs, the tread and the loading of a scenario."""
 
-from tyrecontact.assembly.checks import require_consistent
+from tyrecontact.assembly.checks import require_consistent, require_shallow
 from tyrecontact.assembly.process import adhesion_law, loading_path, machine
 from tyrecontact.assembly.road import road_patch, road_scan, road_understood, roughness_springs
 from tyrecontact.assembly.tread import tread_kernel, tread_layers, tread_thickness
@@ -10,6 +10,7 @@ __all__ = [
     "loading_path",
     "machine",
     "require_consistent",
+    "require_shallow",
     "road_patch",
     "road_scan",
     "road_understood",

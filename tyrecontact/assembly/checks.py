@@ -9,6 +9,7 @@ import numpy as np
 from tyrecontact.assembly.process import loading_path
 from tyrecontact.assembly.tread import tread_layers, tread_thickness
 from tyrecontact.errors import InputError
+from tyrecontact.loading import Path
 from tyrecontact.parts.process import Numerics
 from tyrecontact.parts.tread import Tread
 from tyrecontact.scenario import Scenario
@@ -17,6 +18,8 @@ from tyrecontact.tread.tabulated import Tabulated
 
 #: memory of the thesis' kernel [s]: so much may outlast a run, since its fastest runs are shorter
 _USUAL_MEMORY = 5e-3
+#: laws whose elements unload as punches of frozen area
+PUNCH_LAWS = ("receding-contact", "hysteresis")
 
 
 def require_consistent(scenario: Scenario) -> None:
@@ -32,11 +35,31 @@ def require_consistent(scenario: Scenario) -> None:
         raise InputError(
             f"springs.exchange_count must be at most half the elements, {half}, got {count}"
         )
+    if scenario.adhesion.law in PUNCH_LAWS and scenario.springs.reading == "secant":
+        raise InputError(
+            f"springs.reading must be tangent for the adhesion law {scenario.adhesion.law}, got "
+            "secant: a punch of frozen area would push back more than it was pressed with"
+        )
     layers = tread_layers(scenario.tread)
     _require_kernel(scenario.numerics, layers)
-    _require_thickness(scenario.tread, scenario.loading.max_indentation)
+    if scenario.loading.drive != "force" and scenario.loading.profile != "table":
+        _require_thickness(scenario.tread, scenario.loading.max_indentation)
     if scenario.numerics.kernel != "static":
         _require_lags(scenario, layers)
+
+
+def require_shallow(path: Path, scenario: Scenario) -> None:
+    """Refuse a rigid drive that presses the road through the tread.
+
+    Raises
+    ------
+    InputError : that, in one sentence.
+    """
+    deepest, thickness = float(path.drive.max()), tread_thickness(scenario.tread)
+    if scenario.loading.drive == "rigid" and not deepest < thickness:
+        raise InputError(
+            f"loading.table must stay below tread.thickness, {thickness:g} m, got {deepest:g} m"
+        )
 
 
 def _require_kernel(numerics: Numerics, layers: Sequence[Layer]) -> None:

@@ -48,7 +48,8 @@ def _path(settings: Loading) -> loading.Path:
     if settings.profile == "linear":
         return loading.linear(largest, rate)
     if settings.profile == "sinusoidal":
-        return loading.sinusoidal(largest, -back, settings.period)
+        # a force that begins by pulling would only make the mass fly off
+        return loading.sinusoidal(largest, -back, settings.period, first=0.0 if forced else None)
     if settings.profile == "quadratic":
         if forced:
             raise InputError(

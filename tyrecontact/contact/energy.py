@@ -11,11 +11,11 @@ springs and from the machine, and never negative where a step converged.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 
 import numpy as np
 
-from tyrecontact.contact.interface import Interface
+from tyrecontact.contact.interface import Interface, Mirrored
 from tyrecontact.contact.machine import MachineEnergy
 
 
@@ -58,45 +58,57 @@ class Energy:
 
 
 @dataclass(frozen=True)
-class Ledger:
-    """Element compressions and interfaces around one step; arrays of shape (elements,).
+class Held:
+    """Energy in the springs around one step [J].
 
     Attributes
     ----------
-    before, solved, after : interface with the bonds at the start of the step, with those that
-        its solution has left, and with those that it leaves behind.
-    start, end : compression [m] before and after.
-    approach : road's motion less the tread's, of each element [m]: end - start, but for the
-        residual of the step.
+    before : at its start.
+    begun : at its start, without the bonds that break in it.
+    ended : at its end, with the bonds and areas that it was solved with.
+    after : at its end, with those that it leaves behind.
     """
 
-    before: Interface
-    solved: Interface
-    after: Interface
-    start: np.ndarray
-    end: np.ndarray
-    approach: np.ndarray
-    force: np.ndarray = field(repr=False)
+    before: float
+    begun: float
+    ended: float
+    after: float
 
-    def energy(self, layer_work: float, machine: MachineEnergy) -> Energy:
-        """What the step adds to the account [J]."""
-        held = [
-            float(interface.energy(compression).sum())
-            for interface, compression in (
-                (self.before, self.start),
-                (self.solved, self.start),
-                (self.solved, self.end),
-                (self.after, self.end),
-            )
-        ]
-        released = (held[0] - held[1]) + (held[2] - held[3])
-        stepping = float(self.force @ self.approach) - (held[2] - held[1])
-        return Energy(
-            machine.work,
-            held[3] - held[0],
-            machine.held,
-            layer_work,
-            released,
-            stepping + machine.lost,
-            abs(layer_work),
-        )
+    @classmethod
+    def around(
+        cls,
+        before: float,
+        solved: Interface,
+        after: Interface,
+        start: np.ndarray | None,
+        end: np.ndarray,
+    ) -> Held:
+        """From `before` [J] and the interfaces with the bonds of the solution and those after it.
+
+        `start` [m] is where bonds broke on the way (None: none did), `end` [m] where it led.
+        """
+        begun = before if start is None else float(solved.energy(start).sum())
+        ended = float(solved.energy(end).sum())
+        # a mirrored bond forms in compression, where it holds no energy of its own
+        same = isinstance(after, Mirrored)
+        return cls(before, begun, ended, ended if same else float(after.energy(end).sum()))
+
+
+def step_energy(held: Held, work: float, layer_work: float, machine: MachineEnergy) -> Energy:
+    """What a step adds to the account [J].
+
+    Parameters
+    ----------
+    work : of the element forces on the interface, sum F (road's motion less the tread's).
+    layer_work : of the element forces on the tread.
+    """
+    stepping = work - (held.ended - held.begun)
+    return Energy(
+        machine.work,
+        held.after - held.before,
+        machine.held,
+        layer_work,
+        (held.before - held.begun) + (held.ended - held.after),
+        stepping + machine.lost,
+        abs(layer_work),
+    )

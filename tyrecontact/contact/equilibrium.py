@@ -9,7 +9,8 @@ import numpy as np
 
 from tyrecontact.contact.adhesion import Law
 from tyrecontact.contact.bonds import Bonds, ElementState, Outcome
-from tyrecontact.contact.energy import Energy, Ledger
+from tyrecontact.contact.energy import Energy, Held, step_energy
+from tyrecontact.contact.interface import Interface
 from tyrecontact.contact.lattice import Compliance, History, LatticeKernel
 from tyrecontact.contact.machine import Machine, Moment, Place, machine_energy
 from tyrecontact.contact.newton import Solution, better_start, robust
@@ -58,6 +59,7 @@ class State:
     earlier_compression : [m] one step before the last, shape (elements,).
     displacement : of the tread [m] at the end of the last step, shape (elements,).
     energy : the account since the start.
+    held : energy in the springs at the end of the last step [J].
     """
 
     history: History
@@ -66,12 +68,14 @@ class State:
     earlier_compression: np.ndarray
     displacement: np.ndarray
     energy: Energy
+    held: float = 0.0
 
     @classmethod
-    def at_rest(cls, bodies: Bodies) -> State:
-        """The road at first touch, and everything still."""
-        bonds, still = Bonds.none(bodies.tops.copy()), np.zeros(bodies.tops.size)
-        return cls(History(bodies.kernel), bonds, Place(), bonds.compression, still, Energy())
+    def at_rest(cls, bodies: Bodies, start: float = 0.0) -> State:
+        """Everything still, and the road at first touch or, where `start` [m] < 0, above it."""
+        bonds, still = Bonds.none(bodies.tops + start), np.zeros(bodies.tops.size)
+        place = Place(indentation=start, drive=start)
+        return cls(History(bodies.kernel), bonds, place, bonds.compression, still, Energy())
 
 
 @dataclass(frozen=True)
@@ -86,7 +90,6 @@ class Equilibrium:
     state : `ElementState` of each element.
     iterations : of the Newton run that needed the most.
     releases : number of bonds that broke.
-    stiffness : of each element [N/m].
     """
 
     solution: Solution
@@ -95,7 +98,6 @@ class Equilibrium:
     state: np.ndarray
     iterations: int
     releases: int
-    stiffness: np.ndarray
 
 
 def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equilibrium:
@@ -124,7 +126,7 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
     released = state.bonds.bonded & ~bonds.bonded
     rigid = shared * solution.force.sum()
     displacement = past + solution.displacement - rigid
-    _move_on(bodies, state, moment, bonds, outcome, displacement, free - rigid)
+    _move_on(bodies, state, moment, bonds, interface, outcome, displacement, free - rigid)
     return Equilibrium(
         solution,
         free - rigid,
@@ -132,7 +134,6 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
         _element_states(solution.force, state.bonds.bonded, released),
         iterations,
         int(released.sum()),
-        interface.force_and_stiffness(solution.compression)[1],
     )
 
 
@@ -155,6 +156,7 @@ def _move_on(
     state: State,
     moment: Moment,
     bonds: Bonds,
+    interface: Interface,
     outcome: Outcome,
     displacement: np.ndarray,
     indentation: float,
@@ -163,18 +165,20 @@ def _move_on(
     law, springs, force = bodies.law, bodies.springs, outcome.force
     after = law.after(springs, bonds, outcome)
     place = state.place.moved(indentation, moment)
-    ledger = Ledger(
-        law.interface(springs, state.bonds),
-        law.interface(springs, bonds),
+    held = Held.around(
+        state.held,
+        interface,
         law.interface(springs, after),
-        state.bonds.compression,
+        None if bonds is state.bonds else state.bonds.compression,
         outcome.compression,
-        place.indentation - state.place.indentation - (displacement - state.displacement),
-        force,
     )
+    approach = place.indentation - state.place.indentation - (displacement - state.displacement)
     machine = machine_energy(bodies.machine, state.place, place, moment, float(force.sum()))
     layer_work = float(force @ (displacement - state.displacement))
-    state.energy = state.energy.plus(ledger.energy(layer_work, machine))
+    state.energy = state.energy.plus(
+        step_energy(held, float(force @ approach), layer_work, machine)
+    )
+    state.held = held.after
     remember = state.history.settle if moment.at_rest else state.history.remember
     remember(force.reshape(bodies.kernel.shape))
     state.earlier_compression = state.bonds.compression

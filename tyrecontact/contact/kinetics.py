@@ -18,6 +18,8 @@ _LEAST_FRACTION = 0.01
 #: e to this is the largest rate that is told from infinity
 _LARGEST_EXPONENT = 700.0
 _HALVINGS = 40
+#: a crack of infinite speed moves at this excess of G over w, too
+_LEAST_EXCESS = 1e-16
 #: places where a receding contact is looked at for rest
 _PLACES = 33
 
@@ -70,8 +72,8 @@ class BondKinetics:
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
         fraction = self.fraction(springs, bonds, outcome)
         bonded = bonds.bonded | (outcome.compression > 0)
-        moved = bonds.after(outcome, bonded)
-        return replace(moved, fraction=np.where(bonded, fraction, 0.0))
+        moved = bonds.after(outcome, bonded & (self.binding_rate > 0))
+        return replace(moved, fraction=np.where(moved.bonded, fraction, 0.0))
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,8 @@ class RecedingContact:
 
     Attributes
     ----------
-    work_of_adhesion : w0 [J/m2].  ageing : beta [-].  ageing_time : tau [s].
+    work_of_adhesion : w0 [J/m2]; 0 is no adhesion, elements unload as they load.
+    ageing : beta [-].  ageing_time : tau [s].
     crack_speed : v* [m/s], may be inf.  crack_exponent : n [-].
 
     Source: K. L. Johnson et al., Proc. R. Soc. A 324 (1971) 301; A. N. Gent and J. Schultz,
@@ -105,6 +108,8 @@ class RecedingContact:
         require_not_negative("work_of_adhesion", self.work_of_adhesion, "J/m2")
 
     def interface(self, springs: Springs, bonds: Bonds) -> Interface:
+        if self.work_of_adhesion == 0:
+            return Mirrored(springs, bonds.bonded)
         return Hinged(springs, bonds.bonded, bonds.reach)
 
     def toughness(self, bonds: Bonds) -> np.ndarray:
@@ -114,14 +119,14 @@ class RecedingContact:
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         opening = self._opening(springs, bonds, outcome)
         if opening.any():  # few can shrink to nothing in a step; only those are looked into
-            left = springs.radius(bonds.reach) - self._lost(springs, bonds, outcome)
+            left = springs.radius(bonds.reach) - self._lost(springs, bonds, outcome, opening)
             opening &= left <= springs.radius(np.zeros_like(left))
         if opening.any():
             opening[opening] = self._receded(springs, bonds, outcome, opening) <= 0
         return opening
 
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
-        bonded = bonds.bonded | (outcome.force > 0)
+        bonded = (bonds.bonded | (outcome.force > 0)) & (self.work_of_adhesion > 0)
         moved = bonds.after(outcome, bonded)
         reach = springs.onset(moved.reach)  # pressing on at constant area moves no crack
         opening = self._opening(springs, bonds, outcome)
@@ -140,17 +145,23 @@ class RecedingContact:
         self, springs: Springs, bonds: Bonds, outcome: Outcome, opening: np.ndarray
     ) -> np.ndarray:
         """Compression of the area that is left [m] of the opening contacts; 0 where none is."""
-        left = (springs.radius(bonds.reach) - self._lost(springs, bonds, outcome))[opening]
+        left = (springs.radius(bonds.reach) - self._lost(springs, bonds, outcome, opening))[opening]
         springs = springs.take(np.flatnonzero(opening))
         start, depth = bonds.reach[opening], outcome.compression[opening]
         end = _at_radius(springs, left, start)
         return _first_rest(springs, start, end, depth, self.toughness(bonds)[opening])
 
-    def _lost(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
-        """How far the crack would move in the step at the speed it has [m]."""
+    def _lost(
+        self, springs: Springs, bonds: Bonds, outcome: Outcome, opening: np.ndarray
+    ) -> np.ndarray:
+        """How far the cracks that open would move in the step at the speed they have [m]."""
         release = _energy_release_rate(springs, bonds.reach, outcome.compression)
-        excess = np.maximum(release / self.toughness(bonds) - 1, 0.0)
-        return self.crack_speed * excess ** (1 / self.crack_exponent) * outcome.time_step
+        excess = np.where(opening, release / self.toughness(bonds) - 1, 1.0)
+        with np.errstate(over="ignore"):  # beyond all bounds is fast enough
+            speed = self.crack_speed * np.maximum(excess, _LEAST_EXCESS) ** (
+                1 / self.crack_exponent
+            )
+        return np.where(opening, speed * outcome.time_step, 0.0)
 
 
 def _at_radius(springs: Springs, radius: np.ndarray, start: np.ndarray) -> np.ndarray:

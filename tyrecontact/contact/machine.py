@@ -50,11 +50,13 @@ class Machine:
 
     def __post_init__(self) -> None:
         if not self.stiffness >= 0:
-            raise InputError(f"machine_stiffness must not be negative, got {self.stiffness} N/m")
+            raise InputError(
+                f"loading.machine_stiffness must not be negative, got {self.stiffness} N/m"
+            )
         if not 0 <= self.mass < np.inf:
-            raise InputError(f"mass must be finite and not negative, got {self.mass} kg")
+            raise InputError(f"loading.mass must be finite and not negative, got {self.mass} kg")
         if self.stiffness == 0 and self.mass == 0:
-            raise InputError("mass must be positive for a force-driven road, got 0 kg")
+            raise InputError("loading.mass must be positive for a force-driven road, got 0 kg")
 
     @property
     def is_rigid(self) -> bool:

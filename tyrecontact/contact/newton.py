@@ -41,6 +41,7 @@ class Solution:
     ----------
     compression, force : [m] and [N], shape (elements,).
     displacement : g_0 F [m], shape (elements,).
+    stiffness : of the elements there [N/m], shape (elements,).
     iterations : Newton iterations used.
     residual : largest |f| [m].
     converged : residual within the tolerance.
@@ -49,6 +50,7 @@ class Solution:
     compression: np.ndarray
     force: np.ndarray
     displacement: np.ndarray
+    stiffness: np.ndarray
     iterations: int
     residual: float
     converged: bool
@@ -78,7 +80,7 @@ def robust(
         point, stuck = lower or point, lower is None
         iterations += 1
     return Solution(
-        point.compression, point.force, point.displacement,
+        point.compression, point.force, point.displacement, point.stiffness,
         iterations, point.residual, point.residual <= tolerance,
     )  # fmt: skip
 
@@ -226,7 +228,7 @@ def thesis(
         residual = float(np.abs(imbalance).max())
         converged = residual <= tolerance and not joining.any()
         if converged or iterations == max_iterations or not residual < _LOST:
-            return Solution(d, force, displacement, iterations, residual, converged)
+            return Solution(d, force, displacement, stiffness, iterations, residual, converged)
         if joining.any():
             touching = touching | joining
             force, stiffness = interface.force_and_stiffness(np.where(touching, d, 0.0))

@@ -83,7 +83,9 @@ class Adhesion(Part):
     )
     binding_rate = Quantity(10.0, (0.0, 1e6), "1/s", "Rate at which bonds form (bonds)")
     unbinding_rate = Quantity(0.5, (0.0, 1e6), "1/s", "Rate at which unloaded bonds break (bonds)")
-    work_of_adhesion = Quantity(0.07, (1e-6, 100.0), "J/m2", "At rest and young (receding contact)")
+    work_of_adhesion = Quantity(
+        0.07, (0.0, 100.0), "J/m2", "At rest and young (receding contact); 0: no adhesion"
+    )
     crack_exponent = Quantity(
         0.55, (0.1, 2.0), "", "Gent and Schultz' exponent n (receding contact)"
     )

@@ -60,7 +60,11 @@ class Springs:
 
     def energy(self, compression: np.ndarray) -> np.ndarray:
         """Energy [J] held at a compression [m] >= 0; last axis the elements."""
-        return self._evaluate(compression, 0)
+        x, c = self._look_up(np.asarray(compression, float))
+        energy = c[..., 0]
+        for power in range(1, c.shape[-1]):
+            energy = energy * x + c[..., power]
+        return energy
 
     def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Force [N] and stiffness [N/m] in one look-up."""

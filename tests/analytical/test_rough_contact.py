@@ -9,7 +9,7 @@ import pytest
 from scipy import special
 
 from tyrecontact.contact import newton
-from tyrecontact.contact.adhesion import Interface
+from tyrecontact.contact.interface import Mirrored
 from tyrecontact.contact.lattice import LatticeKernel
 from tyrecontact.road import textures
 from tyrecontact.road.springs import linear
@@ -38,8 +38,8 @@ def pressed(tops: np.ndarray, indentation: float) -> np.ndarray:
     springs = linear(np.full(COUNT**2, 300 * PLANE * side), 1e-3, side / 2)
     target = indentation + tops.ravel()
     solution = newton.robust(
-        kernel,
-        Interface(springs, np.zeros(COUNT**2, bool)),
+        kernel.now,
+        Mirrored(springs, np.zeros(COUNT**2, bool)),
         target,
         np.minimum(target, 0.0),
         1e-6 * indentation,

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tyrecontact.contact import newton
-from tyrecontact.contact.adhesion import Interface
+from tyrecontact.contact.interface import Mirrored
 from tyrecontact.contact.lattice import LatticeKernel
 from tyrecontact.road.springs import Springs, from_heights, linearised
 from tyrecontact.tread import kernels
@@ -107,8 +107,8 @@ def test_a_step_of_newtons_method(method: Callable[..., Any]) -> None:
         static_kernels(), ((1, 1), (LENGTH, PRESSURE)), strict=True
     ):
         solution = method(
-            LatticeKernel(kernel),
-            Interface(springs(length, pressure), np.zeros(36, bool)),
+            LatticeKernel(kernel).now,
+            Mirrored(springs(length, pressure), np.zeros(36, bool)),
             (60e-6 + tops) * length,
             tops * length,
             1e-15 * length,

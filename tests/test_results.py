@@ -112,6 +112,57 @@ def test_road_tread_and_springs_fit_together(results: Results) -> None:
     assert gap.max() <= 1e-10 * 100e-6  # tolerance times largest indentation
 
 
+def held_depth(results: Results) -> np.ndarray:
+    """Largest compression of each contact so far [m], nil where there is none."""
+    touching = np.isin(results.state, (ElementState.COMPRESSED, ElementState.TENSION))
+    depth = np.zeros(results.compression.shape)
+    for step in range(1, len(results)):
+        reached = np.maximum(depth[step - 1], results.compression[step])
+        depth[step] = np.where(touching[step], reached, 0.0)
+    return depth
+
+
+def test_an_adhering_contact_keeps_its_largest_area(results: Results) -> None:
+    springs = Simulation(results.scenario).springs
+    depth = held_depth(results).reshape(len(results), -1)
+    expected = np.pi * np.array([springs.radius(row) for row in depth]) ** 2
+    found = results.contact_area.reshape(len(results), -1)
+    np.testing.assert_allclose(found, expected, rtol=1e-6)  # single precision
+    assert found.max() <= results.spacing**2 * (1 + 1e-6)
+    assert np.any(found[results.element_force.reshape(len(results), -1) < 0] > 0)
+
+
+def test_a_bare_contact_has_the_area_of_its_compression(quick_cycle: Scenario) -> None:
+    quick_cycle.adhesion.release_force = 0.0
+    run = Simulation(quick_cycle)
+    results = run.run()
+    depth = np.maximum(results.compression.reshape(len(results), -1), 0.0)
+    expected = np.pi * np.array([run.springs.radius(row) for row in depth]) ** 2
+    found = results.contact_area.reshape(len(results), -1)
+    np.testing.assert_allclose(found, expected, rtol=1e-6)  # single precision
+    assert not results.releases.any()
+
+
+def test_age_is_the_time_since_an_element_came_into_contact(results: Results) -> None:
+    touching = np.isin(results.state, (ElementState.COMPRESSED, ElementState.TENSION))
+    age, step = np.zeros(touching.shape), results.time[1] - results.time[0]
+    for row in range(1, len(results)):
+        age[row] = np.where(touching[row], age[row - 1] + step, 0.0)
+    np.testing.assert_allclose(results.age, age, rtol=1e-5)  # single precision
+    assert results.age.max() > 1e-3
+
+
+def test_the_account_is_that_of_the_columns(results: Results) -> None:
+    account, summary = results.energy, results.summary()
+    assert summary["energy"] == account
+    assert account["drive_work"] == results.drive_work[-1] > 0
+    force, depth = results.contact_force, np.diff(results.indentation, prepend=0.0)
+    assert account["drive_work"] == pytest.approx(float(force @ depth), rel=1e-9)  # another order
+    assert abs(account["imbalance"]) < 1e-13 * account["drive_work"]  # rounding
+    assert summary["releases"] == results.avalanches.sum() == results.releases.sum() > 5
+    assert summary["largest_avalanche"] == results.largest_avalanche == results.avalanches.max()
+
+
 def test_states_can_be_read_by_name(dataset: xr.Dataset) -> None:
     attributes = dataset["state"].attrs
     names = dict(zip(attributes["flag_values"], attributes["flag_meanings"].split(), strict=True))

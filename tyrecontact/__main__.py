@@ -194,6 +194,10 @@ def _in_words(summary: dict) -> str:
         lines.append(f"final stiffness   {summary['final_stiffness'] / 1e6:.3g} MN/m")
     if summary["adherence_force"] is not None:
         lines.append(f"adherence force   {summary['adherence_force']:.3g} N")
+    if summary["releases"]:
+        lines.append(
+            f"largest avalanche {summary['largest_avalanche']} of {summary['releases']} releases"
+        )
     lines.append(
         f"Newton iterations {summary['iterations_mean']:.2f} a step, {summary['iterations_max']} "
         "at most"

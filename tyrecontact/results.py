@@ -29,7 +29,7 @@ SCALARS = {
     "iterations": ("1", "Newton iterations of the step", np.int32),
     "residual": ("m", "Largest residual of the contact equation", float),
     "converged": ("1", "Whether the step converged (1) or not (0)", np.int8),
-    "stability_margin": ("1", "Margin of the time stepping: 1 safe, below 0 unstable", float),
+    "stability_margin": ("1", "Margin of the time stepping: 1 safe, below 0 it may blow up", float),
     "contacts": ("1", "Number of elements in contact, bonded ones in tension included", np.int32),
     "releases": ("1", "Number of bonds that broke in the step", np.int32),
     "drive_work": ("J", "Work done by the drive since the start", float),

@@ -48,6 +48,20 @@ def test_a_bond_under_a_constant_pull_lives_as_long_as_bell_has_it(pull: float) 
     assert time == pytest.approx(lifetime, rel=0.02)
 
 
+@pytest.mark.parametrize("steps", [1, 3, 30])
+def test_bonds_break_as_fast_in_one_long_step_as_in_many(steps: int) -> None:
+    """E_1(x / b) = E_1(x) - k t, at three quarters of the lifetime."""
+    rate, stress, pull = 3.0, 1e5, 2.0
+    law, time = BondKinetics(5.0, rate, stress), 0.75 * float(exp1(pull)) / rate
+    outcome, bonds = pulled(pull * AREA * stress, time / steps), bonded()
+    for _ in range(steps):
+        assert not law.broken(PUNCHES, bonds, outcome).any()
+        bonds = law.after(PUNCHES, bonds, outcome)
+    left = float(exp1(pull)) - rate * time
+    # where less than 1 % break in a step its rate is taken as constant
+    np.testing.assert_allclose(exp1(pull / bonds.fraction), left, rtol=0.02)
+
+
 @pytest.mark.parametrize("steps", [1, 7, 100])
 def test_bonds_in_compression_form_as_fast_in_one_step_as_in_many(steps: int) -> None:
     law = BondKinetics(10.0, 0.5, 1e5)

@@ -68,6 +68,11 @@ def test_without_contact_nothing_is_fed(coarse: Kernel) -> None:
     assert of(coarse, 0.0) == 1
 
 
+def test_a_run_that_is_lost_has_no_margin(coarse: Kernel) -> None:
+    assert np.isnan(of(coarse, np.nan))
+    assert np.isnan(of(coarse, np.inf))
+
+
 def test_fewer_contacts_and_softer_springs_have_more_margin(coarse: Kernel) -> None:
     margins = [of(coarse, stiffness) for stiffness in (1e4, 3e4, 1e5)]
     assert margins == sorted(margins, reverse=True)

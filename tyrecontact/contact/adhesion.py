@@ -122,8 +122,10 @@ class Multiplicative:
 class Hysteresis:
     """Unloading along F_L(d_max) - k_u (d_max - d), k_u the punch of frozen area (thesis, Fig. 48).
 
-    A bond breaks when its tension exceeds `release_force` [N]. The dent that it leaves stays until
-    the element is apart: pressed again before that, it reloads along the same line.
+    A bond breaks when its tension exceeds `release_force` [N], or where a bond of `ReleaseForce`
+    would: one that was hardly pressed has hardly a stiffness, and would be drawn out without end.
+    The dent that it leaves stays until the element is apart: pressed again before that, it
+    reloads along the same line.
     """
 
     release_force: float
@@ -135,7 +137,9 @@ class Hysteresis:
         return Hinged(springs, bonds.bonded, bonds.reach)
 
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
-        return bonds.bonded & (-outcome.force > self.release_force)
+        drawn = springs.force(np.maximum(-outcome.compression, 0.0))
+        tension = np.maximum(-outcome.force, np.where(outcome.force < 0, drawn, 0.0))
+        return bonds.bonded & (tension > self.release_force)
 
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
         bonded = (bonds.bonded | (outcome.force > 0)) & (self.release_force > 0)

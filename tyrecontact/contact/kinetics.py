@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.special import exp1
 
 from tyrecontact.contact.adhesion import require_not_negative
 from tyrecontact.contact.bonds import Bonds, Outcome
@@ -18,6 +19,10 @@ _LEAST_FRACTION = 0.01
 #: e to this is the largest rate that is told from infinity
 _LARGEST_EXPONENT = 700.0
 _HALVINGS = 40
+#: share of the bonds that may break in a step before their rate counts as changing in it
+_MANY = 0.01
+#: stands for zero where one divides by it
+_NOTHING = 1e-200
 #: a crack of infinite speed moves at this excess of G over w, too
 _LEAST_EXCESS = 1e-16
 #: places where a receding contact is looked at for rest
@@ -28,8 +33,8 @@ _PLACES = 33
 class BondKinetics:
     """db/dt = k_on (1 - b) [d >= 0] - k_off b exp(T / (b A_max sigma)), T the tension.
 
-    b, the share of bonds that hold, moves by the exact solution for a constant T and b in the
-    exponent; below 0.01 the contact breaks.
+    b, the share of bonds that hold, moves by the exact solution for a constant T, or, where few
+    break in a step, by that for a constant rate; below 0.01 the contact breaks.
 
     Attributes
     ----------
@@ -53,8 +58,9 @@ class BondKinetics:
     def fraction(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         """Share of bonds [-] after the step."""
         tension = np.maximum(-outcome.force, 0.0)
-        strength = bonds.fraction * np.pi * springs.radius(bonds.reach) ** 2 * self.bond_stress
-        exponent = np.where(tension > 0, tension / np.maximum(strength, 1e-300), 0.0)
+        strength = np.pi * springs.radius(bonds.reach) ** 2 * self.bond_stress
+        held = np.maximum(bonds.fraction, _NOTHING)
+        exponent = np.where(tension > 0, tension / np.maximum(held * strength, _NOTHING), 0.0)
         if self.unbinding_rate > 0:
             exponent = exponent + np.log(self.unbinding_rate)
             off = np.exp(np.minimum(exponent, _LARGEST_EXPONENT))
@@ -63,7 +69,12 @@ class BondKinetics:
         on = self.binding_rate * (outcome.compression >= 0)
         total = on + off
         settled = on / np.where(total > 0, total, 1.0)
-        return settled + (bonds.fraction - settled) * np.exp(-total * outcome.time_step)
+        share = settled + (bonds.fraction - settled) * np.exp(-total * outcome.time_step)
+        many = np.flatnonzero((tension > 0) & (off * outcome.time_step > _MANY))
+        if many.size:
+            pull = tension[many] / np.maximum(strength[many], _NOTHING)
+            share[many] = _share_left(held[many], pull, self.unbinding_rate * outcome.time_step)
+        return share
 
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         weak = self.fraction(springs, bonds, outcome) < _LEAST_FRACTION
@@ -76,6 +87,17 @@ class BondKinetics:
         return replace(moved, fraction=np.where(moved.bonded, fraction, 0.0))
 
 
+def _share_left(share: np.ndarray, pull: np.ndarray, time: float) -> np.ndarray:
+    """What db/dt = -b exp(x / b) makes of a share in a time: E_1(x / b) falls at the rate 1."""
+    goal = exp1(pull / share) - time
+    low, high = np.zeros_like(share), share
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        enough = exp1(pull / middle) >= goal
+        low, high = np.where(enough, low, middle), np.where(enough, middle, high)
+    return high
+
+
 @dataclass(frozen=True)
 class RecedingContact:
     r"""A punch whose edge is a crack: F = F_L(c) + k(c) (d - c), c the compression of its area,
@@ -86,7 +108,8 @@ class RecedingContact:
     Within a step the contact shrinks at most to where G = w at the compression it has; where there
     is no such radius and it would shrink to nothing it lets go at once. A contact whose radius
     cannot shrink (a spring of constant area) lets go at G = w, that is at the tension
-    sqrt(8 pi E* w a^3) on a half-space.
+    sqrt(8 pi E* w a^3) on a half-space. The crack moves at the end of a step, and what that does
+    to the force comes with the next one: short steps where a machine is soft.
 
     Attributes
     ----------

@@ -48,6 +48,8 @@ class StabilityMargin:
         """Margin [-] for element stiffnesses [N/m], shape (elements,)."""
         if self.is_passive or not stiffness.any():
             return 1.0
+        if not np.isfinite(stiffness).all():  # of a run that is lost
+            return float("nan")
         root = np.sqrt(stiffness)
 
         def product(v: np.ndarray) -> np.ndarray:

@@ -64,8 +64,8 @@ def adhesion() -> Scenario:
             "profile": "load-hold-unload",
             "max_indentation": 63e-6,
             "hold_time": 2e-3,
-            "unloading_rate": 3e-3,
-            "retraction": 80e-6,
+            "unloading_rate": 1e-2,
+            "retraction": 0.3e-3,
         },
         adhesion={"table_step": 2e-6},  # the thesis' table lets go early (Appendix C.4)
     )

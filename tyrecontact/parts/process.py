@@ -65,8 +65,8 @@ class Adhesion(Part):
         0.6, (0.0, 2.0), "", "Growth of the release force with the largest area (multiplicative)"
     )
     reference_area = Quantity(
-        0.1e-6, (1e-12, 1e-3), "m2", "Area at which that factor is one (multiplicative)",
-        ("mm2", 1e6),
+        1e-6, (1e-12, 1e-3), "m2",
+        "Area at which that factor is one (multiplicative): an element of 1 mm", ("mm2", 1e6),
     )  # fmt: skip
     ageing = Quantity(
         0.08, (0.0, 10.0), "", "Growth with the log of contact age (multiplicative, receding)"
@@ -76,7 +76,7 @@ class Adhesion(Part):
         0.3, (0.0, 2.0), "", "Growth of the release force with the rate (multiplicative)"
     )
     reference_rate = Quantity(
-        5e-4, (0.0, 10.0), "m/s", "Rate at which it has doubled; 0: the rate does not matter", _RATE
+        1e-3, (0.0, 10.0), "m/s", "Rate at which it has doubled; 0: the rate does not matter", _RATE
     )
     bond_stress = Quantity(
         0.05e6, (1.0, 1e9), "Pa", "Stress that speeds breaking e times (bonds)", ("MPa", 1e-6)
@@ -84,13 +84,13 @@ class Adhesion(Part):
     binding_rate = Quantity(10.0, (0.0, 1e6), "1/s", "Rate at which bonds form (bonds)")
     unbinding_rate = Quantity(0.5, (0.0, 1e6), "1/s", "Rate at which unloaded bonds break (bonds)")
     work_of_adhesion = Quantity(
-        0.07, (0.0, 100.0), "J/m2", "At rest and young (receding contact); 0: no adhesion"
+        0.05, (0.0, 100.0), "J/m2", "At rest and young (receding contact); 0: no adhesion"
     )
     crack_exponent = Quantity(
         0.55, (0.1, 2.0), "", "Gent and Schultz' exponent n (receding contact)"
     )
     crack_speed = Quantity(
-        1e-7, (1e-12, 1e6), "m/s", "Speed v* at twice the work of adhesion", ("µm/s", 1e6)
+        1e-6, (1e-12, 1e6), "m/s", "Speed v* at twice the work of adhesion", ("µm/s", 1e6)
     )
 
 

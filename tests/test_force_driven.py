@@ -153,3 +153,17 @@ def test_punches_of_frozen_area_need_tangent_springs(law: str) -> None:
         Simulation(question)
     question.adhesion.law = "bonds"
     assert Simulation(question)
+
+
+def test_the_quasi_static_companion_of_a_driven_road_is_in_equilibrium() -> None:
+    machine = Simulation(scenario(drive="machine", machine_stiffness=1e5, mass=0.01))
+    still = machine.quasi_static(40).run()
+    assert still.stop_reason == "completed"
+    # k_m (X - d) = F, whatever the mass; the companion is solved to 6e-12 m
+    np.testing.assert_allclose(
+        1e5 * (still.drive - still.indentation), still.contact_force, atol=1e-5
+    )
+    force = Simulation(force_driven(mass=0.01)).quasi_static(60).run()
+    pressed = (force.drive > 1) & (np.diff(force.drive, prepend=0.0) > 0)
+    # a step at rest is as if a dashpot of 1e4 N/m held the road, on contacts of 1e5 N/m
+    np.testing.assert_allclose(force.contact_force[pressed], force.drive[pressed], rtol=0.1)

@@ -171,18 +171,12 @@ class Results:
 
     @property
     def adherence_force(self) -> float | None:
-        """Force at complete separation minus the least force [N].
-
-        None without a separation, or where the run failed.
-        """
+        """Force at complete separation minus the least force [N]; None without, or in failure."""
         return None if self.failed_at is not None else figures.adherence_force(self.columns)
 
     @property
     def final_stiffness(self) -> float | None:
-        """dF/dd [N/m] over the last tenth of the loading, a straight line fitted.
-
-        None where there are not three steps there, or the run had failed by then.
-        """
+        """dF/dd [N/m] over the last tenth of the loading; None if it is too short or failed."""
         top, failed = figures.turn(self.columns), self.failed_at
         if top is None or (failed is not None and failed <= top):
             return None

@@ -40,8 +40,7 @@ class Solution:
     Attributes
     ----------
     compression, force : [m] and [N], shape (elements,).
-    displacement : g_0 F [m], shape (elements,).
-    stiffness : of the elements there [N/m], shape (elements,).
+    displacement, stiffness : g_0 F [m] and dF/dd [N/m], shape (elements,).
     iterations : Newton iterations used.
     residual : largest |f| [m].
     converged : residual within the tolerance.

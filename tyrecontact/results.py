@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tyrecontact import figures
+from tyrecontact import key_figures
 from tyrecontact.contact.bonds import ElementState
 from tyrecontact.errors import InputError
 from tyrecontact.scenario import Scenario
@@ -172,20 +172,20 @@ class Results:
     @property
     def adherence_force(self) -> float | None:
         """Force at complete separation minus the least force [N]; None without, or in failure."""
-        return None if self.failed_at is not None else figures.adherence_force(self.columns)
+        return None if self.failed_at is not None else key_figures.adherence_force(self.columns)
 
     @property
     def final_stiffness(self) -> float | None:
         """dF/dd [N/m] over the last tenth of the loading; None if it is too short or failed."""
-        top, failed = figures.turn(self.columns), self.failed_at
+        top, failed = key_figures.turn(self.columns), self.failed_at
         if top is None or (failed is not None and failed <= top):
             return None
-        return figures.final_stiffness(self.columns)
+        return key_figures.final_stiffness(self.columns)
 
     @property
     def avalanches(self) -> np.ndarray:
         """Number of bonds that broke in each event, shape (events,) (see `figures`)."""
-        return figures.avalanches(self.columns)
+        return key_figures.avalanches(self.columns)
 
     @property
     def largest_avalanche(self) -> int:
@@ -195,7 +195,7 @@ class Results:
     @property
     def energy(self) -> dict[str, float]:
         """The energy account at the end [J]: work of the drive, where it went, the imbalance."""
-        return figures.energy_account(self.columns)
+        return key_figures.energy_account(self.columns)
 
     def summary(self) -> dict[str, Any]:
         """The headline figures, SI, as plain values."""

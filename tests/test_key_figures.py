@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tyrecontact import figures
+from tyrecontact import key_figures
 
 
 def events(releases: list[int] | np.ndarray, drive: list[float] | np.ndarray) -> list[int]:
     columns = {"releases": np.asarray(releases), "drive": np.asarray(drive, float)}
-    return figures.avalanches(columns).tolist()
+    return key_figures.avalanches(columns).tolist()
 
 
 #: up to 100 and back to -100 in steps of one; an event is 1 % of the way back, 1 to 2
@@ -74,8 +74,8 @@ def test_every_release_belongs_to_one_event(seed: int) -> None:
 def test_the_account_says_what_is_missing() -> None:
     columns = {name: np.array([0.0, 1.0]) for name in figures.ACCOUNT}
     columns["drive_work"] = np.array([0.0, 5.5])
-    account = figures.energy_account(columns)
+    account = key_figures.energy_account(columns)
     assert account["imbalance"] == 0.5
     assert list(account) == ["drive_work", *figures.ACCOUNT, "imbalance"]
-    empty = figures.energy_account({name: np.zeros(0) for name in columns})
+    empty = key_figures.energy_account({name: np.zeros(0) for name in columns})
     assert set(empty.values()) == {0.0}

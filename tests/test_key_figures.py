@@ -72,10 +72,10 @@ def test_every_release_belongs_to_one_event(seed: int) -> None:
 
 
 def test_the_account_says_what_is_missing() -> None:
-    columns = {name: np.array([0.0, 1.0]) for name in figures.ACCOUNT}
+    columns = {name: np.array([0.0, 1.0]) for name in key_figures.ACCOUNT}
     columns["drive_work"] = np.array([0.0, 5.5])
     account = key_figures.energy_account(columns)
     assert account["imbalance"] == 0.5
-    assert list(account) == ["drive_work", *figures.ACCOUNT, "imbalance"]
+    assert list(account) == ["drive_work", *key_figures.ACCOUNT, "imbalance"]
     empty = key_figures.energy_account({name: np.zeros(0) for name in columns})
     assert set(empty.values()) == {0.0}

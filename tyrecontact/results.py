@@ -184,7 +184,7 @@ class Results:
 
     @property
     def avalanches(self) -> np.ndarray:
-        """Number of bonds that broke in each event, shape (events,) (see `figures`)."""
+        """Number of bonds that broke in each event, shape (events,) (see `key_figures`)."""
         return key_figures.avalanches(self.columns)
 
     @property

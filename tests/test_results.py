@@ -21,7 +21,7 @@ from tyrecontact.results import FIELDS, SCALARS, Record
 VARIABLES = {
     "indentation": "m",
     "contact_force": "N",
-    "drive": "m or N",
+    "drive": "m",
     "iterations": "1",
     "residual": "m",
     "converged": "1",

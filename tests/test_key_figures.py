@@ -79,3 +79,9 @@ def test_the_account_says_what_is_missing() -> None:
     assert list(account) == ["drive_work", *key_figures.ACCOUNT, "imbalance"]
     empty = key_figures.energy_account({name: np.zeros(0) for name in columns})
     assert set(empty.values()) == {0.0}
+
+
+def test_the_first_step_that_may_blow_up_is_the_first_below_zero() -> None:
+    columns = {"stability_margin": np.array([1.0, 0.2, 0.0, np.nan, -0.1, 0.3, -2.0])}
+    assert key_figures.first_unstable(columns) == 4
+    assert key_figures.first_unstable({"stability_margin": np.ones(5)}) is None

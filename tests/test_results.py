@@ -43,7 +43,7 @@ VARIABLES = {
 }
 SUMMARY = {
     "steps", "stop_reason", "failed_at", "max_force", "adherence_force", "final_stiffness",
-    "iterations_max", "iterations_mean", "releases", "largest_avalanche", "energy",
+    "iterations_max", "iterations_mean", "unstable_at", "releases", "largest_avalanche", "energy",
 }  # fmt: skip
 
 

@@ -189,6 +189,12 @@ def _in_words(summary: dict) -> str:
             f"first step that did not converge: {failed['step']}, at {failed['time'] * 1e3:.3f} ms "
             f"and an indentation of {failed['indentation'] * 1e3:.4f} mm"
         )
+    unstable = summary["unstable_at"]
+    if unstable:
+        lines.append(
+            f"may blow up from {unstable['indentation'] * 1e3:.4f} mm on, where springs are too "
+            "stiff for the kernel (stability margin below 0)"
+        )
     lines.append(f"largest force     {summary['max_force']:.4g} N")
     if summary["final_stiffness"] is not None:
         lines.append(f"final stiffness   {summary['final_stiffness'] / 1e6:.3g} MN/m")

@@ -47,6 +47,12 @@ def final_stiffness(columns: Columns) -> float | None:
     return float(np.polyfit(depth[last], columns["contact_force"][last], 1)[0])
 
 
+def first_unstable(columns: Columns) -> int | None:
+    """The first step whose stability margin is below 0; None where there is none."""
+    below = np.flatnonzero(columns["stability_margin"] < 0)
+    return int(below[0]) if below.size else None
+
+
 def turn(columns: Columns) -> int | None:
     """The step of the largest indentation; None in a run without steps."""
     depth = columns["indentation"]

@@ -106,6 +106,11 @@ class Results:
         return len(self) - 1 if self.stop_reason not in (COMPLETED, STOPPED) else None
 
     @property
+    def unstable_at(self) -> int | None:
+        """Number of the first step from which the time stepping may blow up, or None."""
+        return key_figures.first_unstable(self.columns)
+
+    @property
     def adherence_force(self) -> float | None:
         """Force at complete separation minus the least force [N]; None without, or in failure."""
         return None if self.failed_at is not None else key_figures.adherence_force(self.columns)
@@ -135,18 +140,12 @@ class Results:
 
     def summary(self) -> dict[str, Any]:
         """The headline figures, SI, as plain values."""
-        failed, iterations = self.failed_at, self.columns["iterations"]
-        where = None
-        if failed is not None:
-            where = {
-                "step": failed,
-                "time": float(self.columns["time"][failed]),
-                "indentation": float(self.columns["indentation"][failed]),
-            }
+        iterations = self.columns["iterations"]
         return {
             "steps": len(self),
             "stop_reason": self.stop_reason,
-            "failed_at": where,
+            "failed_at": self._place(self.failed_at),
+            "unstable_at": self._place(self.unstable_at),
             "max_force": float(self.columns["contact_force"].max(initial=0.0)),
             "adherence_force": self.adherence_force,
             "final_stiffness": self.final_stiffness,
@@ -156,6 +155,12 @@ class Results:
             "iterations_max": int(iterations.max(initial=0)),
             "iterations_mean": float(iterations.mean()) if len(self) else 0.0,
         }
+
+    def _place(self, step: int | None) -> dict[str, Any] | None:
+        if step is None:
+            return None
+        found = {name: float(self.columns[name][step]) for name in ("time", "indentation")}
+        return {"step": step, **found}
 
     def to_xarray(self) -> xr.Dataset:
         """Dataset with dimensions time, y, x; units and long_name on every variable."""

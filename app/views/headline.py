@@ -6,6 +6,8 @@ from html import escape
 
 import panel as pn
 
+from tyrecontact.key_figures import first_unstable
+
 from ..runner import Phase, Run
 
 _STYLE = """
@@ -123,13 +125,26 @@ def describe(run: Run) -> tuple[str, bool]:
         Phase.STOPPED: f"Stopped at step {count} of {total}; what was computed stays",
         Phase.FINISHED: f"Complete, {total} steps",
     }.get(run.phase, f"Step {count} of {total}")
-    return f"{so_far}: {failure or 'all converged.'}", bool(failure)
+    return f"{so_far}: {failure or _warning(run, count) or 'all converged.'}", bool(failure)
 
 
 def _before_the_first_step(run: Run) -> str:
     if run.phase is Phase.STOPPED:
         return "Stopped before the first step."
     return "Stopping …" if run.stopping else "Preparing road, springs and kernel …"
+
+
+def _warning(run: Run, count: int) -> str:
+    """What is coming, before it comes."""
+    assert run.record is not None
+    columns = {name: column[:count] for name, column in run.record.columns.items()}
+    step = first_unstable(columns)
+    if step is None:
+        return ""
+    return (
+        f"all converged; from {columns['indentation'][step] * 1e6:.1f} µm on the springs are too "
+        "stiff for the band-limited kernel (stability margin below 0), and it may blow up."
+    )
 
 
 def _failure(run: Run, count: int) -> str:

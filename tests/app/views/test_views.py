@@ -109,6 +109,15 @@ def test_what_the_headline_says_cannot_carry_markup() -> None:
     assert "<script>" not in view.root.object
 
 
+def test_what_is_coming_is_said_before_it_comes(finished: Run) -> None:
+    assert "all converged" in describe(finished)[0]
+    finished.record.columns["stability_margin"][20] = -0.3
+    sentence, bad = describe(finished)
+    assert not bad
+    place = finished.record.columns["indentation"][20] * 1e6
+    assert f"from {place:.1f} µm on the springs are too stiff" in sentence
+
+
 def test_a_failed_step_is_described_with_place_size_and_advice(finished: Run) -> None:
     finished.record.columns["converged"][10] = 0
     finished.scenario.numerics.kernel = "band-limited"

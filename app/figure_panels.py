@@ -165,6 +165,12 @@ def kernel_panels(dataset: xr.Dataset) -> list[Panel]:
     return panels
 
 
+_SPRING_WINDOWS = {
+    "force": ("Spring force", (-1.0, 2.0)),
+    "stiffness": ("Spring stiffness", (-0.05, 1.0)),
+}
+
+
 def spring_panels(dataset: xr.Dataset) -> list[Panel]:
     """Fig. 39: force and stiffness of four springs."""
     depth = dataset["compression"].to_numpy() * 1e6
@@ -175,8 +181,6 @@ def spring_panels(dataset: xr.Dataset) -> list[Panel]:
             for number, values in enumerate(dataset[name].to_numpy())
         ]
         # what pulls is small beside what presses: the window is on the release
-        title, window = (
-            ("Spring force", (-1.0, 3.0)) if name == "force" else ("Spring stiffness", None)
-        )
+        title, window = _SPRING_WINDOWS[name]
         panels.append(Panel(title, "Compression [µm]", label, curves, None, window))
     return panels

@@ -59,7 +59,7 @@ def report(folder: Path) -> str:
     except (OSError, ValueError, KeyError) as error:
         raise InputError(
             f"DIR must be a folder written by `tyrecontact thesis --output DIR`, got {folder}: "
-            f"{error}"
+            f"{str(error).splitlines()[0]}"
         ) from None
     plots = {
         f"{name}-{number}": draw(panel)

@@ -27,7 +27,9 @@ class Style:
     alpha: float = 1.0
 
 
-#: quasi-static runs lie wide and grey behind the others
+#: labels of runs that others are compared with, the first that is there
+REFERENCES = ("quasi-static", "factor 1")
+#: which lie wide and grey behind the others
 BEHIND = Style(GREY, 5.0, 0.5)
 
 
@@ -62,10 +64,11 @@ class Panel:
 
 
 def styles(labels: Sequence[str]) -> dict[str, Style]:
-    """A style for each run of a family; "quasi-static" is the one that lies behind."""
+    """A style for each run of a family; what the others are compared with lies behind them."""
     found, colors = {}, iter(COLORS * (1 + len(labels) // len(COLORS)))
+    behind = next((name for name in REFERENCES if name in labels), None)
     for label in labels:
-        found[label] = BEHIND if label == "quasi-static" else Style(next(colors))
+        found[label] = BEHIND if label == behind else Style(next(colors))
     return found
 
 

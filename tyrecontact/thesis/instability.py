@@ -71,7 +71,7 @@ def _slower_fails_no_later(family: Family) -> tuple[str, bool]:
 def _critical_stiffness(_: Family) -> list[float]:
     simulation = Simulation(figures.member("cause", "band-limited kernel"))
     elements = simulation.scenario.road.elements
-    return [critical_stiffness(simulation.kernel, (elements, elements))]
+    return [critical_stiffness(simulation.kernel, (elements, elements)) * 1e-3]
 
 
 def _kernel_decides(family: Family) -> tuple[str, bool]:
@@ -145,8 +145,8 @@ FINDINGS: tuple[Finding, ...] = (
     Numbers(
         "cause",
         "Beyond this stiffness of an element the band-limited kernel is unstable (physics, 5)",
-        [5e4],
-        "N/m",
+        [50],
+        "kN/m",
         _critical_stiffness,
         "the kernel's critical stiffness depends on the modulus of the tread alone",
     ),

@@ -6,8 +6,8 @@ import numpy as np
 
 
 def at_depth(depth: float) -> str:
-    """An indentation [m], or that there was none."""
-    return f"at {depth * 1e3:.3g} mm" if np.isfinite(depth) else "none fails"
+    """An indentation [m], or that it is nowhere."""
+    return f"at {depth * 1e3:.3g} mm" if np.isfinite(depth) else "nowhere"
 
 
 def percent(share: float) -> str:

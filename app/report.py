@@ -15,7 +15,7 @@ from typing import Any
 
 import xarray as xr
 from bokeh.embed import components
-from bokeh.resources import Resources
+from bokeh.util.paths import bokehjs_path
 
 from tyrecontact import figures
 from tyrecontact.errors import InputError, TyreContactError
@@ -151,7 +151,8 @@ def _table(rows: Sequence[Mapping[str, Any]]) -> str:
 
 
 def _page(record: Mapping[str, Any], sections: str, script: str) -> str:
-    library = Resources(mode="inline", components=["bokeh"]).render_js()
+    # not `Resources.render_js`: it adds what other imported packages would load from a server
+    library = bokehjs_path() / "js" / "bokeh.min.js"
     links = "".join(
         f'<a href="#{escape(entry["name"])}">{escape(_heading(entry["name"]))}</a>'
         for entry in record["figures"]
@@ -168,7 +169,7 @@ of their row.</p>
 <p class="sum"><strong>{record["agree"]} of {record["of"]}</strong> findings agree.</p></header>
 <main><section id="table"><h2>Table</h2>{_table(record["rows"])}</section>
 <nav aria-label="Figures">{links}</nav>{sections}</main>
-{library}{script}</body></html>
+<script>{library.read_text(encoding="utf-8")}</script>{script}</body></html>
 """
 
 

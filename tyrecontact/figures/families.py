@@ -140,7 +140,7 @@ def cause() -> dict[str, Scenario]:
 
 @beside_the_thesis("factor-2", "150 N")
 def factor_2() -> dict[str, Scenario]:
-    """The thesis' kernel and solver in its adhesion runs: factor 2 does not save the hold."""
+    """Two adhesion runs with the thesis' own kernel and solver, at its factor 2 (chapter 5.1)."""
     runs = {"62 N": sticky(62, 24.0), "150 N": sticky(150, 24.0)}
     for run in runs.values():
         run.numerics = dynamic(2).numerics

@@ -35,7 +35,12 @@ class Figure:
     @property
     def members(self) -> dict[str, str]:
         """Label -> name by which the member is a preset."""
-        return {label: f"{self.name}/{label.replace(' ', '-')}" for label in self.family()}
+        return {label: f"{self.name}/{_in_one_word(label)}" for label in self.family()}
+
+
+def _in_one_word(label: str) -> str:
+    """A label without spaces, so that a command line needs no quotes."""
+    return label.replace(" = ", "=").replace(" ", "-")
 
 
 FIGURES: dict[str, Figure] = {}
@@ -84,7 +89,7 @@ def scenario(name: str) -> Scenario:
     head, _, member = name.partition("/")
     found = find(head)
     family = found.family()
-    labels = {label.replace(" ", "-"): label for label in family}
+    labels = {_in_one_word(label): label for label in family}
     if not member:
         return family[found.main]
     if member not in labels:

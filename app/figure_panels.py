@@ -18,9 +18,21 @@ Draw = Callable[[Family], Panel]
 _DEEP, _TIME, _FORCE = "Indentation [µm]", "Time [ms]", "Force [N]"
 
 
-def _all(family: Family, x: Callable, y: Callable) -> list[Curve]:
-    look = styles(list(family))
-    return [Curve(label, x(run), y(run), look[label]) for label, run in family.items()]
+def _look(family: Family) -> dict[str, Style]:
+    """What the others are compared with lies behind them, unless it goes wild itself."""
+    sound = [name for name, run in family.items() if run.failed_at is None]
+    behind = next((name for name in ("quasi-static", "factor 1") if name in sound), None)
+    return styles(list(family), behind)
+
+
+def _all(family: Family, x: Callable, y: Callable, without: bool = False) -> list[Curve]:
+    """All runs, or `without` the quasi-static one; colours are those of the whole family."""
+    look = _look(family)
+    return [
+        Curve(label, x(run), y(run), look[label])
+        for label, run in family.items()
+        if not (without and label == "quasi-static")
+    ]
 
 
 def _deep(run: Results) -> np.ndarray:
@@ -49,8 +61,7 @@ def _usual_force(run: Results, to: float) -> float:
 
 def iterations_by_depth(to: float = 200.0) -> Draw:
     def panel(family: Family) -> Panel:
-        runs = {label: run for label, run in family.items() if label != "quasi-static"}
-        curves = _all(runs, _deep, lambda run: run.iterations.astype(float))
+        curves = _all(family, _deep, lambda run: run.iterations.astype(float), without=True)
         return Panel(
             "Newton iterations a step", _DEEP, "Iterations", curves, (0, to), (0, 15), steps=True
         )
@@ -59,12 +70,12 @@ def iterations_by_depth(to: float = 200.0) -> Draw:
 
 
 def force_by_time(family: Family) -> Panel:
-    curves = _all(_timed(family), _time, lambda run: run.contact_force)
+    curves = _all(family, _time, lambda run: run.contact_force, _is_ramp(family))
     return Panel("Contact force", _TIME, _FORCE, curves)
 
 
 def depth_by_time(family: Family) -> Panel:
-    curves = _all(_timed(family), _time, _deep)
+    curves = _all(family, _time, _deep, _is_ramp(family))
     return Panel("Indentation", _TIME, _DEEP, curves)
 
 
@@ -73,17 +84,16 @@ def iterations_by_time(family: Family) -> Panel:
     return Panel("Newton iterations a step", _TIME, "Iterations", curves, None, (0, 11), steps=True)
 
 
-def _timed(family: Family) -> Family:
-    """Without a quasi-static ramp, whose time means nothing."""
-    ramps = any(run.scenario.loading.profile in {"linear", "quadratic"} for run in family.values())
-    return {k: run for k, run in family.items() if not (ramps and k == "quasi-static")}
+def _is_ramp(family: Family) -> bool:
+    """Whether runs only load: then the time of the quasi-static one means nothing."""
+    return any(run.scenario.loading.profile in {"linear", "quadratic"} for run in family.values())
 
 
 def difference_by_depth(reference: str, percent: bool = False) -> Draw:
     """Force less that of one member."""
 
     def panel(family: Family) -> Panel:
-        look, curves = styles(list(family)), []
+        look, curves = _look(family), []
         still = family[reference]
         for label, run in family.items():
             depth, force = measures.force_curve(run)
@@ -101,19 +111,23 @@ def difference_by_depth(reference: str, percent: bool = False) -> Draw:
 
 
 def stiffness_by_depth(family: Family) -> Panel:
-    look, curves = styles(list(family)), []
-    for label, run in family.items():
-        depth, _, stiffness = measures.stiffness_curve(run)
-        curves.append(Curve(label, depth * 1e6, stiffness / 1e6, look[label]))
-    return Panel("Contact stiffness", _DEEP, "Stiffness [MN/m]", curves)
+    return _stiffness(family, lambda depth, force: depth * 1e6, _DEEP)
 
 
 def stiffness_by_force(family: Family) -> Panel:
-    look, curves = styles(list(family)), []
+    return _stiffness(family, lambda depth, force: force, _FORCE)
+
+
+def _stiffness(family: Family, x: Callable, x_label: str) -> Panel:
+    """As high as a run that goes well needs."""
+    look, curves, usual = _look(family), [], 0.0
     for label, run in family.items():
-        _, force, stiffness = measures.stiffness_curve(run)
-        curves.append(Curve(label, force, stiffness / 1e6, look[label]))
-    return Panel("Contact stiffness", _FORCE, "Stiffness [MN/m]", curves)
+        depth, force, stiffness = measures.stiffness_curve(run)
+        curves.append(Curve(label, x(depth, force), stiffness / 1e6, look[label]))
+        if run.failed_at is None:
+            usual = max(usual, float(np.nanmax(stiffness, initial=0.0)) / 1e6)
+    window = (-0.04 * usual, 1.25 * usual) if usual else None
+    return Panel("Contact stiffness", x_label, "Stiffness [MN/m]", curves, None, window)
 
 
 def margin_by_depth(family: Family) -> Panel:

@@ -97,7 +97,7 @@ def _section(
     )
     return (
         f'<section id="{escape(name)}"><h2>{escape(_heading(name))}</h2>'
-        f"<p>{escape(entry['caption'])}</p>{_legend(panels)}"
+        f"<p>{escape(entry['caption'])}</p>{_legend(panels, list(entry['runs']))}"
         f'<div class="plots">{plots}</div><ul class="found">{"".join(map(_finding, found))}</ul>'
         "</section>"
     )
@@ -107,9 +107,10 @@ def _heading(name: str) -> str:
     return figure_title(name) if figures.find(name).numbers else name.replace("-", " ").capitalize()
 
 
-def _legend(panels: Sequence[Panel]) -> str:
-    """One legend for all plots of a figure: label -> colour is the same in each."""
+def _legend(panels: Sequence[Panel], labels: Sequence[str]) -> str:
+    """One legend for all plots of a figure, in the order of its family."""
     looks = {curve.label: curve.style for panel in panels for curve in panel.curves}
+    looks = {label: looks[label] for label in [*labels, *looks] if label in looks}
     entries = "".join(
         f'<li><span class="line" style="background:{style.color};opacity:{style.alpha};'
         f'height:{max(style.width, 2):g}px"></span>{escape(label)}</li>'

@@ -27,9 +27,7 @@ class Style:
     alpha: float = 1.0
 
 
-#: labels of runs that others are compared with, the first that is there
-REFERENCES = ("quasi-static", "factor 1")
-#: which lie wide and grey behind the others
+#: what the others are compared with lies wide and grey behind them
 BEHIND = Style(GREY, 5.0, 0.5)
 
 
@@ -63,10 +61,9 @@ class Panel:
     steps: bool = field(default=False)
 
 
-def styles(labels: Sequence[str]) -> dict[str, Style]:
-    """A style for each run of a family; what the others are compared with lies behind them."""
+def styles(labels: Sequence[str], behind: str | None = None) -> dict[str, Style]:
+    """A style for each run of a family; the one `behind` the others is what they compare with."""
     found, colors = {}, iter(COLORS * (1 + len(labels) // len(COLORS)))
-    behind = next((name for name in REFERENCES if name in labels), None)
     for label in labels:
         found[label] = BEHIND if label == behind else Style(next(colors))
     return found

@@ -75,7 +75,7 @@ def linear_loading() -> dict[str, Scenario]:
 
 @figure(35, 38, "C = 50")
 def quadratic_loading() -> dict[str, Scenario]:
-    """Loading at four constant accelerations, d = C t^2, C in m/s2 (Figs. 35-38)."""
+    """Loading at four constant accelerations, d = C t², C in m/s² (Figs. 35-38)."""
     runs = {
         label: changed(dynamic(4), loading_profile="quadratic", loading_acceleration=2 * half)
         for label, half in _PARABOLAS.items()

@@ -124,4 +124,5 @@ def _with_deviation(found: float, expected: float) -> str:
         return "none"
     if not expected:
         return f"{found:.3g}"
-    return f"{found:.3g} ({signed(100 * (found / expected - 1), '+.0f')} %)"
+    deviation = round(100 * (found / expected - 1))
+    return f"{found:.3g} ({signed(deviation, '+d')} %)"

@@ -24,7 +24,7 @@ def _same_curve(family: Family) -> tuple[str, bool]:
     if guarded.size != thesis.size:
         return "one of the runs failed", False
     apart = float(np.abs(guarded - thesis).max() / guarded.max())
-    return f"{apart:.1e} of the largest force apart at most", apart < 1e-3
+    return f"at most {apart:.0e} of the largest force apart", apart < 1e-3
 
 
 def _fails_in_range(family: Family) -> tuple[str, bool]:

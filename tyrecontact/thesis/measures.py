@@ -7,7 +7,7 @@ import numpy as np
 from tyrecontact.results import Results
 
 #: the non-linear beginning of a loading ends at this share of its largest force
-_LINEAR_FROM = 0.2
+_LINEAR_FROM = 0.1
 #: a curve has a point every so much [m]
 _EVERY = 2e-6
 #: a force is wrong by so much of what is due, where more is due than this [N]
@@ -52,7 +52,7 @@ def loading_rate(run: Results) -> float:
 def unloading_rate(run: Results) -> float:
     """Force at the end of the hold over the time in which it is taken off [N/s]; nan if never."""
     deep = run.indentation
-    held = int(np.flatnonzero(deep >= deep.max() * (1 - 1e-6))[-1])  # single precision in files
+    held = int(np.flatnonzero(deep >= deep.max() * (1 - 1e-9))[-1])  # rounding
     free = np.flatnonzero(run.contact_force[held:] <= 0)
     if not free.size:
         return np.nan

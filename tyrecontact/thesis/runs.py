@@ -28,7 +28,7 @@ KEPT = (
     "releases",
 )
 #: steps of a run that go on after the first that failed: enough to see the force shoot up
-AFTER_FAILURE = 160
+AFTER_FAILURE = 300
 
 
 def run(settings: Mapping[str, Any]) -> Results:
@@ -59,7 +59,7 @@ def _row(step: Step) -> dict[str, Any]:
 
 
 def to_dataset(results: Results) -> xr.Dataset:
-    """The run as a dataset along time, with units; numbers of single precision suffice."""
+    """The run as a dataset along time, with units."""
     import xarray as xr  # a third of a second that importing the package need not take
 
     time = ("time", results.time, {"units": "s", "long_name": "Time"})
@@ -72,7 +72,7 @@ def to_dataset(results: Results) -> xr.Dataset:
     dataset = xr.Dataset(coords={"time": time}, attrs=attributes)
     for name in KEPT:
         unit, meaning, kind = SCALARS[name]
-        column = results.columns[name].astype(np.float32 if kind is float else kind)
+        column = results.columns[name].astype(kind)
         dataset[name] = ("time", column, {"units": unit, "long_name": meaning})
     return dataset
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tyrecontact import Results, Scenario, Simulation, presets
+from tyrecontact.figures import FIGURES, Figure
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -37,6 +38,21 @@ def quick_cycle(quick: Scenario) -> Scenario:
         profile="load-hold-unload", hold_time=2e-4, unloading_rate=0.1, retraction=2e-4
     )
     return quick
+
+
+@pytest.fixture
+def tiny_figures(quick_cycle: Scenario) -> Iterator[dict[str, Figure]]:
+    """Two figures of three members, two of which are the same run, in place of the thesis'."""
+    shorter = quick_cycle.copy()
+    shorter.loading.max_indentation = 60e-6
+    first = Figure("fig-43", (43,), "a", lambda: {"a": quick_cycle.copy(), "b": shorter.copy()})
+    other = Figure("fig-44", (44,), "c d", lambda: {"c d": quick_cycle.copy()})
+    real = dict(FIGURES)
+    FIGURES.clear()
+    FIGURES.update({"fig-43": first, "fig-44": other})
+    yield FIGURES
+    FIGURES.clear()
+    FIGURES.update(real)  # in its order
 
 
 @pytest.fixture(scope="session")

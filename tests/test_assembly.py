@@ -205,6 +205,17 @@ def test_settings_that_cannot_go_together_are_refused_before_the_run(
         Simulation(scenario)
 
 
+def test_the_thesis_tread_at_rest_is_its_dynamic_kernel_summed() -> None:
+    for factor in (1, 2):
+        settings = {"time_resolution_factor": factor, "lags": 32}
+        moving = assembly.tread_kernel(small(kernel="band-limited", **settings))
+        still = assembly.tread_kernel(small(kernel="static", statics="band-limited", **settings))
+        assert (still.lags, still.time_step) == (1, np.inf)
+        np.testing.assert_array_equal(still.values[0], moving.static_compliance)
+    exact = assembly.tread_kernel(small(kernel="static", time_resolution_factor=2))
+    assert exact.values[0, 0, 0] > still.values[0, 0, 0]  # interpolation takes some of it away
+
+
 @pytest.mark.parametrize(
     ("path", "value"),
     [("springs.exchange_count", 18), ("numerics.lags", 26), ("numerics.lags", 342)],

@@ -14,8 +14,9 @@ from unittest.mock import Mock
 import pytest
 import xarray as xr
 
-from tyrecontact import Scenario, Simulation, presets, simulation
+from tyrecontact import Scenario, Simulation, presets, simulation, thesis
 from tyrecontact.__main__ import main
+from tyrecontact.thesis.findings import Claim
 
 QUICK = ["road.elements=6", "road.size=6e-3", "road.pixel=5e-5", "numerics.lags=32"]
 QUICK += ["loading.max_indentation=1e-4", "loading.rate=0.1024"]
@@ -182,6 +183,69 @@ def test_a_write_that_fails_leaves_the_older_file(
     assert err.startswith("tyrecontact: --output could not be written, ")
     assert err.count("\n") == 1
     assert [path.read_text() for path in tmp_path.iterdir()] == ["older"]
+
+
+@pytest.fixture
+def _few_findings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One finding that agrees and one that does not, about the tiny figures."""
+    found = [
+        Claim("fig-43", "It parts", "yes", "it does", lambda _: ("yes", True)),
+        Claim("fig-44", "It stays", "yes", "it does", lambda _: ("no", False), "it is pulled"),
+    ]
+    monkeypatch.setattr(thesis, "FINDINGS", found)
+
+
+@pytest.mark.usefixtures("tiny_figures", "_few_findings")
+def test_the_thesis_is_run_judged_and_written(capsys: Capture, tmp_path: Path) -> None:
+    assert main(["thesis", "--output", str(tmp_path / "out"), "--jobs", "1"]) == 0
+    out, err = capsys.readouterr()
+    assert out.startswith("1 of 2 findings agree")
+    assert "step" in err  # the bar
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {
+        "runs",
+        "thesis.json",
+        "thesis.md",
+    }
+    record = json.loads((tmp_path / "out" / "thesis.json").read_text(encoding="utf-8"))
+    for figure in record["figures"]:
+        for file in figure["runs"].values():
+            assert (tmp_path / "out" / file).is_file()
+
+
+@pytest.mark.usefixtures("tiny_figures", "_few_findings")
+def test_only_the_figures_asked_for_are_run(capsys: Capture, tmp_path: Path) -> None:
+    assert main(["thesis", "--output", str(tmp_path), "--figures", "44", "--jobs", "1"]) == 0
+    assert capsys.readouterr().out.startswith("0 of 1 findings agree")
+    assert [path.name for path in (tmp_path / "runs").iterdir()] == ["fig-44_c-d.nc"]
+
+
+@pytest.mark.usefixtures("_never_run")
+@pytest.mark.parametrize(
+    ("arguments", "part"),
+    [
+        (["--figures", "17"], "figure must be one of"),
+        (["--jobs", "0"], "--jobs must be at least 1, got 0"),
+        (["--output", "regular/out"], "--output must name a folder that can be written"),
+    ],
+)
+def test_a_campaign_that_cannot_be_run_is_refused_first(
+    capsys: Capture,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    part: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "regular").write_text("a file")
+    assert part in refused(capsys, ["thesis", "--output", "out", *arguments])
+
+
+@pytest.mark.usefixtures("tiny_figures")
+def test_members_of_figures_are_listed_on_demand(capsys: Capture) -> None:
+    assert main(["presets", "--members"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[-2].startswith("fig-44 ")
+    assert lines[-1] == "    fig-44/c-d"
 
 
 @pytest.mark.usefixtures("_never_run")

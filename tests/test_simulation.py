@@ -231,3 +231,13 @@ def test_a_run_that_creates_energy_is_stopped_even_while_newton_converges(quick:
     assert np.cumsum(work.sum(axis=(1, 2)))[-1] < 0
     quick.numerics.kernel = "passive"
     assert Simulation(quick).run().stop_reason == "completed"
+
+
+def test_the_stability_margin_is_kept_from_one_evaluation_to_the_next(quick: Scenario) -> None:
+    quick.numerics.kernel = "band-limited"
+    every = Simulation(quick).run().stability_margin
+    quick.numerics.margin_interval = 10
+    seldom = Simulation(quick).run().stability_margin
+    # its eigenvalue is found to 1e-3, from another start
+    np.testing.assert_allclose(seldom[:40], np.repeat(every[:40:10], 10), atol=3e-3)
+    assert every[-1] < 1

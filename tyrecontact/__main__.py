@@ -39,7 +39,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="tyrecontact", description=__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    commands.add_parser("presets", help="list the presets").set_defaults(command=_presets)
+    listed = commands.add_parser("presets", help="list the presets")
+    listed.add_argument("--members", action="store_true", help="with all members of each figure")
+    listed.set_defaults(command=_presets)
     described = commands.add_parser("describe", help="list every setting of a scenario")
     described.set_defaults(command=_describe)
     run = commands.add_parser("run", help="run a preset or a scenario file")
@@ -52,6 +54,7 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--json", action="store_true", help="print the headline figures as JSON")
     run.set_defaults(command=_run)
     _add_road(commands)
+    _add_thesis(commands)
     return parser
 
 
@@ -68,10 +71,42 @@ def _add_road(commands: argparse._SubParsersAction) -> None:
     road.set_defaults(command=_road)
 
 
-def _presets(_: argparse.Namespace) -> None:
+def _add_thesis(commands: argparse._SubParsersAction) -> None:
+    thesis = commands.add_parser("thesis", help="run all figures of the thesis, and judge them")
+    thesis.add_argument("--output", type=Path, required=True, metavar="DIR", help="where to write")
+    thesis.add_argument(
+        "--figures", default="", metavar="44,45", help="only these (default: all of them)"
+    )
+    thesis.add_argument("--jobs", type=int, default=2, metavar="N", help="runs at a time (2)")
+    thesis.set_defaults(command=_thesis)
+
+
+def _presets(options: argparse.Namespace) -> None:
     width = max(map(len, presets.names()))
     for name in presets.names():
         print(f"{name:<{width}}  {presets.caption(name)}")
+        if options.members:
+            for member in presets.members(name):
+                print(f"    {member}")
+
+
+def _thesis(options: argparse.Namespace) -> None:
+    from tyrecontact import thesis  # what it takes, other commands need not wait for
+    from tyrecontact.thesis import campaign, findings, table
+
+    if not options.jobs >= 1:
+        raise InputError(f"--jobs must be at least 1, got {options.jobs}")
+    names = [name.strip() for name in options.figures.split(",") if name.strip()]
+    selected, folder = campaign.chosen(names), options.output
+    _require_folder(folder)
+    began = time.perf_counter()
+    with tqdm(unit="step", unit_scale=True, smoothing=0) as bar:
+        results = campaign.run_figures(selected, folder, options.jobs, bar)
+    rows = findings.judged(thesis.FINDINGS, results)
+    table.write_tables(rows, selected, campaign.files(selected), folder)
+    minutes = (time.perf_counter() - began) / 60
+    print(f"{sum(row.agrees for row in rows)} of {len(rows)} findings agree, {minutes:.1f} min")
+    print(f"the table: {folder / 'thesis.md'}; as a page: python -m app.report {folder}")
 
 
 def _describe(_: argparse.Namespace) -> None:
@@ -165,6 +200,20 @@ def _require_writable(path: Path) -> None:
         reason = getattr(error, "strerror", None) or error
         raise InputError(
             f"--output must name a file that can be written, got {path}: {reason}"
+        ) from None
+
+
+def _require_folder(path: Path) -> None:
+    """Refuse a folder that cannot be written before all the runs."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        part = path / "thesis.md.part"
+        part.touch()
+        part.unlink()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(
+            f"--output must name a folder that can be written, got {path}: {reason}"
         ) from None
 
 

@@ -1,15 +1,17 @@
-"""Ready-made scenarios; each is a function whose docstring is its caption and source."""
+"""Ready-made scenarios; each is a function whose docstring is its caption and source.
+
+The figures of the thesis (figures.py) are presets too: "fig-44" is the main member of that
+figure's family, "fig-44/14-N" another one.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from tyrecontact import figures
 from tyrecontact.errors import unknown_name
 from tyrecontact.scenario import Scenario
-
-#: the thesis' error limit of 1e-15 m, per its indentation of 0.2 mm
-_THESIS_TOLERANCE = 5e-12
 
 
 def default() -> Scenario:
@@ -19,30 +21,17 @@ def default() -> Scenario:
 
 def thesis_instability() -> Scenario:
     """The thesis' dynamic run that blows up (Fig. 19): band-limited kernel, plain Newton."""
-    return Scenario(
-        adhesion={"release_force": 0.0},
-        numerics={
-            "kernel": "band-limited",
-            "solver": "thesis",
-            "initial_guess": "last",
-            "tolerance": _THESIS_TOLERANCE,
-            "max_iterations": 10,
-        },
-    )
+    return figures.dynamic()
 
 
 def thesis_factor_2() -> Scenario:
     """The first cure of the thesis, half the time step by interpolation (Fig. 27)."""
-    scenario = thesis_instability()
-    scenario.numerics.time_resolution_factor = 2
-    return scenario
+    return figures.dynamic(2)
 
 
 def thesis_factor_4() -> Scenario:
     """A quarter of the time step by interpolation: the thesis' run to 0.2 mm (Fig. 27)."""
-    scenario = thesis_instability()
-    scenario.numerics.time_resolution_factor = 4
-    return scenario
+    return figures.dynamic(4)
 
 
 def thesis_exchange() -> Scenario:
@@ -128,8 +117,16 @@ PRESETS: Mapping[str, Callable[[], Scenario]] = MappingProxyType(
 
 
 def names() -> list[str]:
-    """Names of all presets, in the order in which they tell the story."""
-    return list(PRESETS)
+    """Names of all presets, in the order in which they tell the story; one for each figure.
+
+    What the thesis lacks ("cause") can be had by its name, but is not listed.
+    """
+    return [*PRESETS, *(name for name, found in figures.FIGURES.items() if found.numbers)]
+
+
+def members(name: str) -> list[str]:
+    """Names of all members of a figure, which are presets as well; none for other presets."""
+    return list(figures.find(name).members.values()) if name in figures.FIGURES else []
 
 
 def get(name: str) -> Scenario:
@@ -139,15 +136,25 @@ def get(name: str) -> Scenario:
     ------
     InputError : no preset has that name; the nearest is offered.
     """
+    if _is_figure(name):
+        return figures.scenario(name)
     return _function(name)()
 
 
 def caption(name: str) -> str:
     """One line on what a preset shows, and where it is from."""
+    if _is_figure(name):
+        return figures.find(name.partition("/")[0]).caption
     return (_function(name).__doc__ or "").strip().partition("\n")[0]
+
+
+def _is_figure(name: str) -> bool:
+    """Whether a name is meant for a figure: "fig-..." or the name of one."""
+    head = name.partition("/")[0] if isinstance(name, str) else ""
+    return head.startswith("fig-") or head in figures.FIGURES
 
 
 def _function(name: str) -> Callable[[], Scenario]:
     if not isinstance(name, str) or name not in PRESETS:
-        raise unknown_name("preset", name, PRESETS)
+        raise unknown_name("preset", name, names())
     return PRESETS[name]

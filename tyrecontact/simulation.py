@@ -64,10 +64,12 @@ class Simulation:
 
     def __iter__(self) -> Iterator[Step]:
         bodies, solver, margin = self.bodies, self.solver, StabilityMargin(self.kernel)
-        state = State.at_rest(bodies, self._start)
+        state, value = State.at_rest(bodies, self._start), 1.0
         for index, moment in enumerate(self._moments()):
             equilibrium = advance(bodies, solver, state, moment)
-            step = self._step(index, equilibrium, state, margin.of(equilibrium.solution.stiffness))
+            if index % self.scenario.numerics.margin_interval == 0:
+                value = margin.of(equilibrium.solution.stiffness)
+            step = self._step(index, equilibrium, state, value)
             step = replace(step, stop_reason=self._reason_to_stop(step, state))
             yield step
             if step.stop_reason:

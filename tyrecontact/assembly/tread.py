@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from tyrecontact.errors import InputError
 from tyrecontact.parts.tread import Tread
 from tyrecontact.scenario import Scenario
@@ -25,22 +27,27 @@ def tread_kernel(scenario: Scenario) -> Kernel:
 
     At a finer time resolution a kernel is recomputed with as many more lags; the band-limited
     one is interpolated, as in the thesis, unless `numerics.refinement` says otherwise.
+    The sum of the band-limited kernel over its lags, interpolation included, is the thesis' kernel
+    of the tread at rest (`numerics.statics`).
     """
     numerics, road = scenario.numerics, scenario.road
     layers, shape = tread_layers(scenario.tread), (road.elements, road.elements)
     spacing, coarse_step = road.size / road.elements, 1 / numerics.sampling_frequency
     factor = numerics.time_resolution_factor
     time_step, lags = coarse_step / factor, numerics.lags * factor
-    if numerics.kernel == "static":
+    at_rest = numerics.kernel == "static"
+    if at_rest and numerics.statics == "exact":
         return cache.static(layers, shape, spacing)
     if numerics.kernel == "passive":
         return cache.passive(layers, shape, spacing, time_step, lags, numerics.quadrature)
     if numerics.kernel == "passive-mobility":
         return cache.passive_mobility(layers, shape, spacing, time_step, lags)
     if numerics.refinement == "recomputed":
-        return cache.band_limited(layers, shape, spacing, time_step, lags)
-    coarse = cache.band_limited(layers, shape, spacing, coarse_step, numerics.lags)
-    return kernels.interpolated(coarse, factor)
+        moving = cache.band_limited(layers, shape, spacing, time_step, lags)
+    else:
+        coarse = cache.band_limited(layers, shape, spacing, coarse_step, numerics.lags)
+        moving = kernels.interpolated(coarse, factor)
+    return Kernel(moving.static_compliance[None], spacing, np.inf) if at_rest else moving
 
 
 def tread_thickness(tread: Tread) -> float:

@@ -109,6 +109,11 @@ class Numerics(Part):
         ["interpolated", "recomputed"],
         "Band-limited kernel at a finer step: interpolated as in the thesis, or computed anew",
     )
+    statics = Choice(
+        "exact",
+        ["exact", "band-limited"],
+        "Of the static kernel: the tread's own, or of the band-limited kernel, as in the thesis",
+    )
     solver = Choice("robust", ["robust", "thesis"], "Newton's method: guarded, or the thesis' own")
     jacobian = Choice(
         "exact", ["exact", "as-printed"], "Of the thesis' solver; as printed it diverges (Eq. 8)"
@@ -125,6 +130,10 @@ class Numerics(Part):
         ["extrapolated", "last"],
         "First guess: from the last two steps, or the last",
     )
+    margin_interval = Count(
+        1, (1, 100_000), "From one stability margin to the next: it takes half the time of a step",
+        "steps",
+    )  # fmt: skip
     long_holds = Choice(
         "quasi-static",
         ["quasi-static", "stepped"],

@@ -1,0 +1,88 @@
+"""One run of the campaign: only the numbers of each step, and no step more than is needed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tyrecontact.results import COMPLETED, SCALARS, Results, Step
+from tyrecontact.scenario import Scenario
+from tyrecontact.simulation import Simulation
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+#: what the figures and the findings need of each step, beside the time
+KEPT = (
+    "indentation",
+    "contact_force",
+    "iterations",
+    "residual",
+    "converged",
+    "stability_margin",
+    "contacts",
+    "releases",
+)
+#: steps of a run that go on after the first that failed: enough to see the force shoot up
+AFTER_FAILURE = 300
+
+
+def run(settings: Mapping[str, Any]) -> Results:
+    """Results, without fields, of the scenario with these settings (`Scenario.to_dict`)."""
+    simulation = Simulation(Scenario(**settings))
+    steps = list(_needed(simulation))
+    # one row a step: kept apart from the fields, which would be gigabytes
+    columns = {name: np.array([row[name] for row in steps]) for name in ("time", *KEPT)}
+    reason = steps[-1]["stop_reason"] if steps else ""
+    return Results(
+        simulation.scenario, simulation.kernel.spacing, columns, str(reason) or COMPLETED
+    )
+
+
+def _needed(simulation: Simulation) -> Iterator[dict[str, Any]]:
+    """Rows until road and tread have parted, or until the failure has been seen."""
+    touched, failed = False, 0
+    for step in simulation:
+        yield _row(step)
+        touched = touched or step.contacts > 0
+        failed += bool(failed or not step.converged)
+        if failed > AFTER_FAILURE or (touched and step.contacts == 0):
+            return
+
+
+def _row(step: Step) -> dict[str, Any]:
+    return {name: getattr(step, name) for name in ("time", *KEPT, "stop_reason")}
+
+
+def to_dataset(results: Results) -> xr.Dataset:
+    """The run as a dataset along time, with units."""
+    import xarray as xr  # a third of a second that importing the package need not take
+
+    time = ("time", results.time, {"units": "s", "long_name": "Time"})
+    attributes = {
+        "title": "tyrecontact run",
+        "stop_reason": results.stop_reason,
+        "scenario": json.dumps(results.scenario.to_dict()),
+        "spacing": results.spacing,
+    }
+    dataset = xr.Dataset(coords={"time": time}, attrs=attributes)
+    for name in KEPT:
+        unit, meaning, kind = SCALARS[name]
+        column = results.columns[name].astype(kind)
+        dataset[name] = ("time", column, {"units": unit, "long_name": meaning})
+    return dataset
+
+
+def read(path: Path) -> Results:
+    """A run that was written as netCDF."""
+    import xarray as xr
+
+    with xr.open_dataset(path) as dataset:
+        columns = {name: dataset[name].to_numpy() for name in ("time", *KEPT)}
+        scenario = Scenario(**json.loads(dataset.attrs["scenario"]))
+        spacing, reason = float(dataset.attrs["spacing"]), str(dataset.attrs["stop_reason"])
+    return Results(scenario, spacing, columns, reason)

@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 from tyrecontact import figures
 from tyrecontact.errors import unknown_name
+from tyrecontact.figures.base import TABLE_STEP
 from tyrecontact.scenario import Scenario
 
 
@@ -56,7 +57,8 @@ def adhesion() -> Scenario:
             "unloading_rate": 1e-2,
             "retraction": 0.3e-3,
         },
-        adhesion={"table_step": 2e-6},  # the thesis' table lets go early (Appendix C.4)
+        # the thesis' table lets go early (Appendix C.4)
+        adhesion={"table_step": TABLE_STEP},
     )
 
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tyrecontact.results import COMPLETED, SCALARS, Results, Step
+from tyrecontact.results import COMPLETED, Results
 from tyrecontact.scenario import Scenario
 from tyrecontact.simulation import Simulation
+from tyrecontact.steps import SCALARS, Step
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -20,8 +20,8 @@ from bokeh.util.paths import bokehjs_path
 from tyrecontact import figures
 from tyrecontact.errors import InputError, TyreContactError
 from tyrecontact.thesis import runs
-from tyrecontact.thesis.campaign import write_beside
 from tyrecontact.thesis.table import figure_title
+from tyrecontact.writing import write_whole
 
 from .figure_panels import PANELS, kernel_panels, spring_panels
 from .views.comparison import Panel, draw
@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         page = report(folder)
         target = folder / "report.html"
-        write_beside(target, lambda path: path.write_text(page, encoding="utf-8"))
+        write_whole(target, lambda path: path.write_text(page, encoding="utf-8"))
     except TyreContactError as error:
         print(f"app.report: {error}", file=sys.stderr)
         return 2

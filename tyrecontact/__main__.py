@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import errno
 import json
 import sys
 import time
 from collections.abc import Sequence
-from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
@@ -16,11 +14,11 @@ from tqdm import tqdm
 
 from tyrecontact import assembly, presets
 from tyrecontact.errors import InputError, TyreContactError
-from tyrecontact.results import Results
 from tyrecontact.road.scan import UNITS
 from tyrecontact.scenario import Scenario, read_tables
 from tyrecontact.settings import Tables
 from tyrecontact.simulation import Simulation
+from tyrecontact.writing import require_folder, require_writable, write_whole
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -98,7 +96,7 @@ def _thesis(options: argparse.Namespace) -> None:
         raise InputError(f"--jobs must be at least 1, got {options.jobs}")
     names = [name.strip() for name in options.figures.split(",") if name.strip()]
     selected, folder = campaign.chosen(names), options.output
-    _require_folder(folder)
+    require_folder(folder)
     began = time.perf_counter()
     with tqdm(unit="step", unit_scale=True, smoothing=0) as bar:
         results = campaign.run_figures(selected, folder, options.jobs, bar)
@@ -154,7 +152,7 @@ def _run(options: argparse.Namespace) -> None:
     scenario = _scenario(options.scenario)
     _change(scenario, options.changes)
     if options.output is not None:
-        _require_writable(options.output)
+        require_writable(options.output)
     began = time.perf_counter()
     simulation = Simulation(scenario)
     kernel_began = time.perf_counter()
@@ -166,7 +164,7 @@ def _run(options: argparse.Namespace) -> None:
     summary = {**results.summary(), "wall_s": wall_seconds, "kernel_s": kernel_seconds}
     print(json.dumps(summary) if options.json else _in_words(summary))
     if options.output is not None:
-        _write(results, options.output)
+        write_whole(options.output, results.to_xarray().to_netcdf)
 
 
 def _scenario(name: str) -> Scenario:
@@ -180,54 +178,6 @@ def _scenario(name: str) -> Scenario:
         for setting in values:
             scenario.set(f"{part}.{setting}", changes[part][setting])
     return scenario
-
-
-def _part(path: Path) -> Path:
-    """Where an output is written before it takes its name."""
-    target = path.resolve()
-    return target.with_name(f"{target.name}.part")
-
-
-def _require_writable(path: Path) -> None:
-    """Refuse an output that cannot be written before the run, not after it."""
-    try:
-        if path.resolve().is_dir():
-            raise IsADirectoryError(errno.EISDIR, "it is a folder")
-        part = _part(path)
-        part.touch()
-        part.unlink()
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise InputError(
-            f"--output must name a file that can be written, got {path}: {reason}"
-        ) from None
-
-
-def _require_folder(path: Path) -> None:
-    """Refuse a folder that cannot be written before all the runs."""
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-        part = path / "thesis.md.part"
-        part.touch()
-        part.unlink()
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error
-        raise InputError(
-            f"--output must name a folder that can be written, got {path}: {reason}"
-        ) from None
-
-
-def _write(results: Results, path: Path) -> None:
-    """Write beside the target and rename, so that no half-written file takes its name."""
-    part = _part(path)
-    try:
-        results.to_xarray().to_netcdf(part)
-        part.replace(path.resolve())
-    except OSError as error:
-        raise TyreContactError(f"--output could not be written, {path}: {error}") from error
-    finally:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
 
 
 def _in_words(summary: dict) -> str:

@@ -11,7 +11,7 @@ import pytest
 import xarray as xr
 
 from tyrecontact import Scenario, Simulation
-from tyrecontact.errors import InputError, TyreContactError
+from tyrecontact.errors import InputError
 from tyrecontact.figures import Figure
 from tyrecontact.thesis import campaign, runs
 
@@ -92,16 +92,3 @@ def test_figures_are_chosen_by_number_in_the_order_of_the_thesis(tiny_figures: F
     ]
     with pytest.raises(InputError, match="figure must be one of fig-43, fig-44, got '45'"):
         campaign.chosen(["45"])
-
-
-def test_a_file_that_cannot_be_written_leaves_the_older_one(tmp_path: Path) -> None:
-    path = tmp_path / "a.txt"
-    path.write_text("older")
-
-    def fails(part: Path) -> None:
-        part.write_text("half")
-        raise OSError(28, "No space left")
-
-    with pytest.raises(TyreContactError, match=r"--output must be writable, got .*No space left"):
-        campaign.write_beside(path, fails)
-    assert [file.read_text() for file in tmp_path.iterdir()] == ["older"]

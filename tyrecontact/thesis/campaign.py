@@ -6,7 +6,7 @@ import json
 import multiprocessing
 import os
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,12 +15,12 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 from tyrecontact import figures
-from tyrecontact.errors import TyreContactError
 from tyrecontact.figures import Figure
 from tyrecontact.results import Results
 from tyrecontact.simulation import Simulation
 from tyrecontact.thesis import runs
 from tyrecontact.thesis.curves import CURVES
+from tyrecontact.writing import write_whole
 
 #: of linear algebra in each process: two processes with two threads each get in their own way
 _THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "OMP_NUM_THREADS")
@@ -177,22 +177,5 @@ def _single_threads() -> Iterator[None]:
 
 def write_dataset(dataset: Any, path: Path) -> None:
     """Write a dataset as netCDF beside its name and rename it: never half a file."""
-    write_beside(path, dataset.to_netcdf)
-
-
-def write_beside(path: Path, write: Callable[[Path], object]) -> None:
-    """Let `write` fill a file beside `path` that then takes its name.
-
-    Raises
-    ------
-    TyreContactError : it cannot be written.
-    """
-    part = path.with_name(f"{path.name}.part")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write(part)
-        part.replace(path)
-    except OSError as error:
-        part.unlink(missing_ok=True)
-        reason = error.strerror or error
-        raise TyreContactError(f"--output must be writable, got {path}: {reason}") from error
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_whole(path, dataset.to_netcdf)

@@ -10,8 +10,8 @@ from typing import Any
 
 from tyrecontact import figures
 from tyrecontact.figures import Figure
-from tyrecontact.thesis.campaign import write_beside
 from tyrecontact.thesis.findings import Row
+from tyrecontact.writing import write_whole
 
 _MARK = {True: "✓", False: "✗"}
 _HEAD = ("", "figure", "what", "the thesis", "what comes out", "agrees if")
@@ -32,8 +32,8 @@ def write_tables(
     TyreContactError : a folder that cannot be written.
     """
     text, data = markdown(rows), json.dumps(record(rows, selected, files), indent=1)
-    write_beside(folder / "thesis.md", lambda path: path.write_text(text, encoding="utf-8"))
-    write_beside(folder / "thesis.json", lambda path: path.write_text(data, encoding="utf-8"))
+    write_whole(folder / "thesis.md", lambda path: path.write_text(text, encoding="utf-8"))
+    write_whole(folder / "thesis.json", lambda path: path.write_text(data, encoding="utf-8"))
 
 
 def record(

@@ -7,12 +7,23 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
+from weakref import WeakSet
 
 import panel as pn
+import panel_material_ui as pmui
 import pytest
 from playwright.sync_api import Browser
 
-from app.page import Session, build
+from app.page import Session
+
+#: those that somebody still holds
+_sessions: WeakSet[Session] = WeakSet()
+
+
+def _build() -> pmui.Page:
+    session = Session()
+    _sessions.add(session)
+    return session.root
 
 
 @pytest.fixture
@@ -22,7 +33,7 @@ def address() -> Iterator[str]:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     thread = pn.serve(
-        {"app": build}, port=port, threaded=True, show=False, verbose=False,
+        {"app": _build}, port=port, threaded=True, show=False, verbose=False,
         unused_session_lifetime_milliseconds=500, check_unused_sessions_milliseconds=500,
     )  # fmt: skip
     try:
@@ -75,7 +86,7 @@ def test_visits_leave_no_document_and_no_session_behind(browser: Browser, addres
 
     def sessions() -> int:
         gc.collect()
-        return sum(isinstance(thing, Session) for thing in gc.get_objects())
+        return len(_sessions)
 
     # the last visit may still be on its way out
     assert _wait_for(lambda: sessions() <= 1, 20), sessions()

@@ -12,7 +12,7 @@ from weakref import WeakSet
 import panel as pn
 import panel_material_ui as pmui
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, BrowserContext
 
 from app.page import Session
 
@@ -26,7 +26,7 @@ def _build() -> pmui.Page:
     return session.root
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def address() -> Iterator[str]:
     """The page on a free port, forgetting a closed tab within a second or two."""
     with socket.socket() as free:
@@ -45,6 +45,14 @@ def address() -> Iterator[str]:
         pn.state.reset()
 
 
+@pytest.fixture(scope="module")
+def visitor(browser: Browser) -> Iterator[BrowserContext]:
+    """One visitor with many tabs: the scripts of the page are loaded once."""
+    context = browser.new_context()
+    yield context
+    context.close()
+
+
 def _answers(port: int) -> bool:
     with socket.socket() as caller:
         return caller.connect_ex(("127.0.0.1", port)) == 0
@@ -61,9 +69,8 @@ def _wait_for(condition: Callable[[], bool], seconds: float) -> bool:
     return condition()
 
 
-def test_closing_the_tab_ends_the_run(browser: Browser, address: str) -> None:
-    context = browser.new_context()
-    tab = context.new_page()
+def test_closing_the_tab_ends_the_run(visitor: BrowserContext, address: str) -> None:
+    tab = visitor.new_page()
     tab.goto(address)
     tab.get_by_role("combobox", name="Pace").click()
     tab.get_by_role("menuitem", name="in about 20 s").click()
@@ -71,18 +78,18 @@ def test_closing_the_tab_ends_the_run(browser: Browser, address: str) -> None:
     tab.get_by_role("status").filter(has_text="Step ").wait_for(timeout=60_000)
     assert _running() == 1
     tab.close()
-    context.close()
     # the run has nearly 20 s to go: only the leaving can end it
     assert _wait_for(lambda: _running() == 0, 8)
 
 
-def test_visits_leave_no_document_and_no_session_behind(browser: Browser, address: str) -> None:
+def test_visits_leave_no_document_and_no_session_behind(
+    visitor: BrowserContext, address: str
+) -> None:
     for _ in range(4):
-        context = browser.new_context()
-        tab = context.new_page()
+        tab = visitor.new_page()
         tab.goto(address)
         tab.get_by_role("status").wait_for(timeout=60_000)
-        context.close()
+        tab.close()
 
     def sessions() -> int:
         gc.collect()

@@ -160,6 +160,15 @@ def test_what_cannot_be_run_is_refused_in_a_line(
 TOO_LONG = pytest.param("x" * 300, id="too long")
 
 
+def test_a_road_that_cannot_be_used_is_refused_before_a_kernel_is_made(
+    capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made = Mock(side_effect=AssertionError("a kernel was made"))
+    monkeypatch.setattr("tyrecontact.assembly.tread_kernel", made)
+    message = refused(capsys, quickly("default", "--set", "road.pixel=1e-3"))
+    assert "pitch must give at least 4 heights" in message
+
+
 @pytest.mark.usefixtures("_never_run")
 @pytest.mark.parametrize("name", ["", "missing/run.nc", "link.nc", "regular/run.nc", TOO_LONG])
 def test_an_output_that_cannot_be_written_is_refused_first(

@@ -155,6 +155,7 @@ def _run(options: argparse.Namespace) -> None:
         require_writable(options.output)
     began = time.perf_counter()
     simulation = Simulation(scenario)
+    simulation.springs  # noqa: B018 - a road that cannot be used is refused before a kernel is made
     kernel_began = time.perf_counter()
     simulation.kernel  # noqa: B018 - built here so that its time is known
     kernel_seconds = time.perf_counter() - kernel_began

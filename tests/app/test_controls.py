@@ -18,10 +18,11 @@ def controls(refusals: list[str]) -> Controls:
     return Controls(refusals.append, refusals.clear)
 
 
-def test_every_setting_has_a_widget_but_the_road_files_and_tables(controls: Controls) -> None:
+def test_every_setting_has_a_widget_but_files_and_tables(controls: Controls) -> None:
     paths = {path for path, _, _ in controls.scenario.settings()}
     assert paths - set(controls.widgets) == {
-        "road.file", "road.pitch", "road.height_unit", "tread.layers"
+        "road.file", "road.pitch", "road.height_unit", "tread.layers",
+        "tread.modulus_table", "loading.table",
     }  # fmt: skip
 
 

@@ -7,22 +7,33 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
+from weakref import WeakSet
 
 import panel as pn
+import panel_material_ui as pmui
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, BrowserContext
 
-from app.page import Session, build
+from app.page import Session
+
+#: those that somebody still holds
+_sessions: WeakSet[Session] = WeakSet()
 
 
-@pytest.fixture
+def _build() -> pmui.Page:
+    session = Session()
+    _sessions.add(session)
+    return session.root
+
+
+@pytest.fixture(scope="module")
 def address() -> Iterator[str]:
     """The page on a free port, forgetting a closed tab within a second or two."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     thread = pn.serve(
-        {"app": build}, port=port, threaded=True, show=False, verbose=False,
+        {"app": _build}, port=port, threaded=True, show=False, verbose=False,
         unused_session_lifetime_milliseconds=500, check_unused_sessions_milliseconds=500,
     )  # fmt: skip
     try:
@@ -32,6 +43,14 @@ def address() -> Iterator[str]:
         thread.stop()
         thread.join(10)
         pn.state.reset()
+
+
+@pytest.fixture(scope="module")
+def visitor(browser: Browser) -> Iterator[BrowserContext]:
+    """One visitor with many tabs: the scripts of the page are loaded once."""
+    context = browser.new_context()
+    yield context
+    context.close()
 
 
 def _answers(port: int) -> bool:
@@ -50,9 +69,8 @@ def _wait_for(condition: Callable[[], bool], seconds: float) -> bool:
     return condition()
 
 
-def test_closing_the_tab_ends_the_run(browser: Browser, address: str) -> None:
-    context = browser.new_context()
-    tab = context.new_page()
+def test_closing_the_tab_ends_the_run(visitor: BrowserContext, address: str) -> None:
+    tab = visitor.new_page()
     tab.goto(address)
     tab.get_by_role("combobox", name="Pace").click()
     tab.get_by_role("menuitem", name="in about 20 s").click()
@@ -60,22 +78,22 @@ def test_closing_the_tab_ends_the_run(browser: Browser, address: str) -> None:
     tab.get_by_role("status").filter(has_text="Step ").wait_for(timeout=60_000)
     assert _running() == 1
     tab.close()
-    context.close()
     # the run has nearly 20 s to go: only the leaving can end it
     assert _wait_for(lambda: _running() == 0, 8)
 
 
-def test_visits_leave_no_document_and_no_session_behind(browser: Browser, address: str) -> None:
+def test_visits_leave_no_document_and_no_session_behind(
+    visitor: BrowserContext, address: str
+) -> None:
     for _ in range(4):
-        context = browser.new_context()
-        tab = context.new_page()
+        tab = visitor.new_page()
         tab.goto(address)
         tab.get_by_role("status").wait_for(timeout=60_000)
-        context.close()
+        tab.close()
 
     def sessions() -> int:
         gc.collect()
-        return sum(isinstance(thing, Session) for thing in gc.get_objects())
+        return len(_sessions)
 
     # the last visit may still be on its way out
     assert _wait_for(lambda: sessions() <= 1, 20), sessions()

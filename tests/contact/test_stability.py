@@ -13,6 +13,7 @@ from tyrecontact.tread.kernels import (
     critical_angle,
     critical_stiffness,
     interpolated,
+    passive,
     static,
 )
 from tyrecontact.tread.materials import FractionalKelvinVoigt, Layer, NearlyConstantLoss
@@ -96,3 +97,13 @@ def test_the_margin_is_that_of_the_dense_matrix(coarse: Kernel) -> None:
         largest = np.linalg.eigvalsh(root[:, None] * feed * root)[-1]
         # H(pi) / 2 = sum (-1)^n g_n; accuracy of the iteration relative to 1 + largest
         assert margin.of(stiffness) == pytest.approx(1 - largest, abs=3e-3 * (1 + largest))
+
+
+def test_long_waves_that_only_the_whole_patch_holds_count() -> None:
+    """BDF2 at a fine step: 16 x 16 elements are judged passive, 20 x 20 by the same are not."""
+    kernel = passive(LAYERS, (20, 20), 1e-3, 1 / 204800, lags=1024)
+    limit = critical_stiffness(kernel, (20, 20))
+    assert np.isfinite(limit)
+    assert not StabilityMargin(kernel).is_passive
+    # the limit is sufficient, so that twice as much at the worst angle may well be too much
+    assert of(kernel, 2 * limit) < 0

@@ -52,8 +52,8 @@ def test_the_margin_of_an_interpolated_kernel_is_that_of_its_worst_angle(
     assert critical_angle(kernel) < 0.9 * np.pi  # not the Nyquist frequency
     limit = critical_stiffness(kernel, SHAPE)
     for share in (0.5, 1.0):
-        # angles are found on grids of 60 and of 128, on 100 elements and on 100
-        assert of(kernel, share * limit) == pytest.approx(1 - share, abs=0.02)
+        # both find the angle on a grid and then on a finer one around it
+        assert of(kernel, share * limit) == pytest.approx(1 - share, abs=0.01)
 
 
 def test_a_passive_kernel_has_all_its_margin(coarse: Kernel, tread: LatticeKernel) -> None:

@@ -94,17 +94,27 @@ def critical_stiffness(kernel: Kernel, shape: tuple[int, int]) -> float:
     if not (0 < ny <= kernel.values.shape[1] and 0 < nx <= kernel.values.shape[2]):
         held = kernel.values.shape[1:]
         raise InputError(f"shape must lie within the kernel's {held}, got {shape}")
-    least, rounding = np.inf, _ROUNDING * kernel.values[0, 0, 0]
-    for theta in np.linspace(np.pi, np.pi / _ANGLES, _ANGLES):
-        symbol = hermitian_symbol(kernel, theta)[:ny, :nx]
-        if _embedded(symbol).min() >= -rounding:
-            continue  # a periodic lattice that holds this one takes power, and so does this one
-        lowest = lowest_power(symbol)
-        if lowest < -rounding:
-            least = min(least, (1 - np.cos(theta)) / -lowest)
-            if theta == np.pi:
-                break
-    return float(least)
+    at_nyquist = _limit(kernel, shape, np.pi)
+    if np.isfinite(at_nyquist):
+        return at_nyquist
+    step = np.pi / _ANGLES
+    angles = step * np.arange(1, _ANGLES)
+    limits = [_limit(kernel, shape, theta) for theta in angles]
+    least = min(limits)
+    if np.isinf(least):
+        return np.inf
+    finer = angles[np.argmin(limits)] + step * np.linspace(-0.9, 0.9, 10)
+    return min(least, *(_limit(kernel, shape, theta) for theta in finer))
+
+
+def _limit(kernel: Kernel, shape: tuple[int, int], theta: float) -> float:
+    """Stiffness [N/m] up to which forces of an angle draw no energy; inf where none ever does."""
+    rounding = _ROUNDING * kernel.values[0, 0, 0]
+    symbol = hermitian_symbol(kernel, theta)[: shape[0], : shape[1]]
+    if _embedded(symbol).min() >= -rounding:
+        return np.inf  # a periodic lattice that holds this one takes power, and so does this one
+    lowest = lowest_power(symbol)
+    return float((1 - np.cos(theta)) / -lowest) if lowest < -rounding else np.inf
 
 
 def lowest_power(symbol: np.ndarray) -> float:

@@ -107,3 +107,5 @@ def test_long_waves_that_only_the_whole_patch_holds_count() -> None:
     assert not StabilityMargin(kernel).is_passive
     # the limit is sufficient, so that twice as much at the worst angle may well be too much
     assert of(kernel, 2 * limit) < 0
+    first_order = passive(LAYERS, (20, 20), 1e-3, 1 / 204800, lags=1024, quadrature="BDF1")
+    assert critical_stiffness(first_order, (20, 20)) == np.inf

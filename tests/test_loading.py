@@ -226,6 +226,8 @@ def test_a_table_that_begins_late_waits() -> None:
         ([0, np.nan, 1], [0, 1, 2], "must hold finite numbers"),
         ([0, 1, np.inf], [0, 1, 2], "must hold finite numbers"),
         ([0, 1], [0, np.inf], "must hold finite numbers"),
+        ([0, 1e308], [0, 1e-5], r"must hold times up to 1e\+09, got 1e\+308"),
+        ([0, 1e-3], [0, 1e300], r"must hold values up to 1e\+06, got 1e\+300"),
         ([0], [0], "must have at least 2 rows, got 1"),
         ([-1, 1], [0, 1], "must begin at a time of 0 s or later, got -1 s"),
     ],
@@ -272,6 +274,9 @@ def test_a_table_that_cannot_be_read_is_refused(
 ) -> None:
     with pytest.raises(InputError, match=r"must be readable, got none\.txt: No such file"):
         loading.read_table(tmp_path / "none.txt")
+    for name in ("~nobody-has-this-name/table.txt", "nul\0.txt"):
+        with pytest.raises(InputError, match="must be readable"):
+            loading.read_table(name)
     with pytest.raises(InputError, match="must be a file, got null, which is none"):
         loading.read_table("/dev/null")
     with pytest.raises(InputError, match="must be a file"):

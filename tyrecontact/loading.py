@@ -15,6 +15,8 @@ from tyrecontact.errors import InputError
 MAX_STEPS = 500_000
 #: a table with more bytes than this is refused before it is read
 MAX_TABLE_BYTES = 64_000_000
+#: a table that goes beyond these [s], [m or N] is refused: a slip of a unit, and overflow ahead
+_LATEST, _FARTHEST = 1e9, 1e6
 #: a hold of more than so many memories of the kernel goes on at rest after the second
 _LONG, _SETTLING = 20, 2
 #: steps at rest in a decade of time
@@ -186,6 +188,10 @@ def table(time: np.ndarray, drive: np.ndarray) -> Path:
     """
     if not (np.all(np.isfinite(time)) and np.all(np.isfinite(drive))):
         raise InputError("loading.table must hold finite numbers, got some that are not")
+    for what, column, most in (("times", time, _LATEST), ("values", drive, _FARTHEST)):
+        found = np.abs(column).max(initial=0.0)
+        if not found <= most:
+            raise InputError(f"loading.table must hold {what} up to {most:g}, got {found:g}")
     if time.size < 2:
         raise InputError(f"loading.table must have at least 2 rows, got {time.size}")
     if not time[0] >= 0:
@@ -211,12 +217,14 @@ def read_table(path: str | FilePath) -> Path:
     ------
     InputError : a file that is absent, too large or not of that kind, and as `table`.
     """
-    path = FilePath(path).expanduser()
     try:
+        path = FilePath(path).expanduser()
         text = _read_text(path)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise InputError(f"loading.table must be readable, got {path.name}: {reason}") from None
+    except InputError:
+        raise
+    except (OSError, ValueError, RuntimeError) as error:  # no such file, name or home
+        name, reason = FilePath(path).name, getattr(error, "strerror", None) or error
+        raise InputError(f"loading.table must be readable, got {name}: {reason}") from None
     try:
         rows = [line.partition("#")[0].split() for line in text.splitlines()]
         columns = np.array([row for row in rows if row], float)

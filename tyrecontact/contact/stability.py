@@ -5,26 +5,24 @@ angle (tread/stability.py),
 
     margin = 1 - lambda_max(-K^1/2 H K^1/2) / (1 - cos theta):
 
-1 where nothing feeds an oscillation of that angle, 0 where it begins to grow. No passive kernel
-comes below 1.
+1 where nothing feeds an oscillation of that angle, 0 where it begins to grow. No kernel that takes
+power from every history of forces comes below 1.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import eigvalsh
 from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
 
 from tyrecontact.contact.lattice import Compliance
 from tyrecontact.tread import kernels
 from tyrecontact.tread.kernels import Kernel
+from tyrecontact.tread.stability import lowest_power
 
 #: accuracy of the margin
 _ACCURACY = 1e-3
 #: power below this share of the self compliance is rounding
 _ROUNDING = 1e-9
-#: elements a side on which a kernel is judged passive or not
-_SAMPLE = 16
 
 
 class StabilityMargin:
@@ -40,9 +38,8 @@ class StabilityMargin:
         power = kernels.hermitian_symbol(kernel, angle) / (1 - np.cos(angle))
         self._power = Compliance(power)
         self._last: np.ndarray | None = None
-        sample = Compliance(power[:_SAMPLE, :_SAMPLE])
-        lowest = eigvalsh(sample.matrix(np.arange(sample.values.size)), subset_by_index=(0, 0))[0]
-        self.is_passive = bool(lowest >= -_ROUNDING * kernel.values[0, 0, 0])
+        # of all elements: long waves may draw power where a part of the patch draws none
+        self.is_passive = lowest_power(power) >= -_ROUNDING * kernel.values[0, 0, 0]
 
     def of(self, stiffness: np.ndarray) -> float:
         """Margin [-] for element stiffnesses [N/m], shape (elements,)."""

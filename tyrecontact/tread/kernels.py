@@ -75,7 +75,7 @@ def passive(
     lags: int = 256,
     quadrature: str = "BDF2",
 ) -> Kernel:
-    """Kernel by convolution quadrature: energy-stable, and exact in the statics.
+    """Kernel by convolution quadrature: exact in the statics, energy-stable as told below.
 
         g_n = 1 / (L r^n) sum_l C(delta(zeta_l) / dt) e^{2 pi i n l / L},
         zeta_l = r e^{-2 pi i l / L},  L = 2 lags,  r = eps^(1/L),
@@ -83,8 +83,10 @@ def passive(
 
     What the plate has still to creep after the last lag is spread over the last quarter of the
     lags, so that the kernel's sum is the static compliance. (Added to a single lag it would come
-    back as an echo that is not passive.) Energy-stable holds for lags that outlast the ringing of
-    the plate; `critical_stiffness` tells.
+    back as an echo that is not passive.) Energy-stable holds for lags that outlast the ringing and
+    the creep of the plate, and with BDF1. With BDF2 (1 - z) C = s C dt 2 / (3 - z), whose phase may
+    leave the right half-plane where a plate is mass-like and hardly damped: at fine steps on large
+    patches stiff springs may draw energy. `critical_stiffness` tells.
 
     Parameters
     ----------

@@ -161,7 +161,7 @@ class Session:
         simulation, baseline = self.run.simulation, self.run.baseline
         assert simulation is not None
         assert baseline is not None
-        axis = horizontal(self.axis.value, simulation.schedule.time, baseline.indentation)
+        axis = horizontal(self.axis.value, simulation.schedule.time, baseline.met)
         self.force.show_against(axis)
         self.iterations.show_against(axis)
 

@@ -55,6 +55,18 @@ class Baseline:
     contact_force: np.ndarray
     peak_element_force: float
 
+    @property
+    def met(self) -> np.ndarray:
+        """Indentations [m], but for those far from where road and tread meet.
+
+        A road that a force has torn off flies away for millimetres.
+        """
+        touching = np.flatnonzero(self.contact_force)
+        if not touching.size:
+            return self.indentation
+        near = self.indentation[: touching[-1] + 1]
+        return self.indentation.clip(near.min() - np.ptp(near), None)
+
 
 class Run:
     """A scenario being run on a thread.

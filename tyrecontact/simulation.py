@@ -141,10 +141,14 @@ class Simulation:
     @cached_property
     def solver(self) -> Solver:
         """How each step is solved."""
-        numerics = self.scenario.numerics
+        numerics, loading = self.scenario.numerics, self.scenario.loading
+        # a force says nothing of the depth to expect
+        deepest = loading.max_indentation
+        if loading.drive != "force":
+            deepest = float(self.schedule.drive.max())
         return Solver(
             method=newton.robust if numerics.solver == "robust" else self._thesis_method,
-            tolerance=numerics.tolerance * self.scenario.loading.max_indentation,
+            tolerance=numerics.tolerance * deepest,
             max_iterations=numerics.max_iterations,
             extrapolates=numerics.initial_guess == "extrapolated",
         )
@@ -229,4 +233,9 @@ class Simulation:
     def _advice(self) -> str:
         if self.scenario.numerics.kernel == "band-limited":
             return "time_resolution_factor 4 or the passive kernel: it is unstable on stiff springs"
-        return "a finer time_resolution_factor, a slower loading or more max_iterations"
+        if self.scenario.numerics.kernel == "static":
+            return "a slower loading or more max_iterations"
+        return (
+            "more lags, so that the tread's creep fits into the kernel, quadrature BDF1, a slower "
+            "loading or more max_iterations"
+        )

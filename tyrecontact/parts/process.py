@@ -122,7 +122,11 @@ class Numerics(Part):
     sampling_frequency = Quantity(51200.0, (10.0, 1e7), "Hz", "Sampling frequency", ("kHz", 1e-3))
     lags = Count(256, (2, 65536), "Lags of the kernel at the sampling frequency", "samples")
     tolerance = Quantity(
-        1e-10, (1e-13, 1e-3), "", "Largest residual, per largest indentation", ("1e-10", 1e10)
+        1e-10,
+        (1e-13, 1e-3),
+        "",
+        "Largest residual, per largest indentation (for a force: max_indentation)",
+        ("1e-10", 1e10),
     )
     max_iterations = Count(50, (1, 1000), "Newton iterations allowed in a step; 10 in the thesis")
     initial_guess = Choice(

@@ -20,7 +20,6 @@ from scipy import signal
 #: length of a segment in the standard [m]
 SEGMENT = 0.1
 _LOW_PASS = 2.4e-3
-_SAMPLING = 0.5e-3
 _MOST_MISSING = 0.1
 #: rows of a map that are taken at most
 _ROWS = 200

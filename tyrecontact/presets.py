@@ -55,7 +55,7 @@ def adhesion() -> Scenario:
             "max_indentation": 63e-6,
             "hold_time": 2e-3,
             "unloading_rate": 1e-2,
-            "retraction": 0.3e-3,
+            "retraction": 0.12e-3,
         },
         # the thesis' table lets go early (Appendix C.4)
         adhesion={"table_step": TABLE_STEP},

@@ -17,7 +17,7 @@ DESKTOP = {"width": 1440, "height": 900}
 #: file -> colour scheme, preset, sentence to wait for, steps to wait for
 SHOTS = {
     "instability.png": ("light", "thesis-instability", "Step ", 335),
-    "adhesion.png": ("dark", "adhesion", "Step ", 1400),
+    "adhesion.png": ("dark", "adhesion", "Step ", 420),
 }
 
 

@@ -42,8 +42,7 @@ class Solution:
     compression, force : [m] and [N], shape (elements,).
     displacement, stiffness : g_0 F [m] and dF/dd [N/m], shape (elements,).
     iterations : Newton iterations used.
-    residual : largest |f| [m].
-    converged : residual within the tolerance.
+    residual, converged : largest |f| [m], and whether it is within the tolerance.
     """
 
     compression: np.ndarray

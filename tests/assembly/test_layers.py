@@ -5,8 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+import pytest
 
-from tyrecontact import Scenario, assembly
+from tyrecontact import Scenario, Simulation, assembly
+from tyrecontact.errors import InputError
 from tyrecontact.parts.tread import Tread
 from tyrecontact.tread.materials import (
     FractionalKelvinVoigt,
@@ -81,3 +83,30 @@ def test_the_two_layers_may_be_written_as_tables() -> None:
          "material": "nearly-constant-loss", "youngs_modulus": 72e9, "loss_factor": 5e-5},
     ]  # fmt: skip
     assert assembly.tread_layers(Tread(layers=tables)) == assembly.tread_layers(Tread())
+
+
+@pytest.mark.parametrize(
+    ("tread", "numerics", "sentence"),
+    [
+        ({"material": "tabulated"}, {}, "numerics.kernel must be band-limited, .* is not causal"),
+        ({"layers": [{**LAYERS[2], "material": "tabulated"}]}, {}, "layer 1 of tread.layers: "),
+        ({"material": "fractional-zener", "static_modulus": 6e7}, {}, "glassy_modulus must be at"),
+        (
+            {"layers": [LAYERS[2], {**LAYERS[0], "glassy_modulus": 1e6}]},
+            {},
+            "layer 2 of tread.layers: glassy_modulus must be at least static_modulus, 5e.06 Pa",
+        ),
+        (
+            {"layers": [{**LAYERS[0], "thickness": 1e-4}]},
+            {},
+            "less than the thickness of tread.layers, 0.0001 m, got 0.0002 m",
+        ),
+        ({"material": "tabulated", "modulus_table": "none.txt"}, {}, "table must be readable"),
+        ({"layers": LAYERS[1:]}, {"lags": 10}, "numerics.lags must cover the ringing"),
+    ],
+)
+def test_treads_that_cannot_be_are_refused_before_the_run(
+    tread: dict[str, object], numerics: dict[str, object], sentence: str
+) -> None:
+    with pytest.raises(InputError, match=sentence):
+        Simulation(Scenario(road=ROAD, tread=tread, numerics=numerics))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from tyrecontact.contact.energy import Energy, Held, step_energy
 from tyrecontact.contact.interface import Interface
 from tyrecontact.contact.lattice import Compliance, History, LatticeKernel
 from tyrecontact.contact.machine import Machine, Moment, Place, machine_energy
-from tyrecontact.contact.newton import Solution, better_start, robust
+from tyrecontact.contact.newton import Solution, robust
 from tyrecontact.road.springs import Springs
 
 #: compliance, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
@@ -56,7 +57,7 @@ class State:
     history : past forces and what they still do to the tread.
     bonds : what the elements of the interface remember.
     place : where the machine has moved the road.
-    earlier_compression : [m] one step before the last, shape (elements,).
+    earlier_compressions : [m] one and two steps before the last, shape (elements,) each.
     displacement : of the tread [m] at the end of the last step, shape (elements,).
     energy : the account since the start.
     held : energy in the springs at the end of the last step [J].
@@ -65,7 +66,7 @@ class State:
     history: History
     bonds: Bonds
     place: Place
-    earlier_compression: np.ndarray
+    earlier_compressions: tuple[np.ndarray, ...]
     displacement: np.ndarray
     energy: Energy
     held: float = 0.0
@@ -75,7 +76,7 @@ class State:
         """Everything still, and the road at first touch or, where `start` [m] < 0, above it."""
         bonds, still = Bonds.none(bodies.tops + start), np.zeros(bodies.tops.size)
         place = Place(indentation=start, drive=start)
-        return cls(History(bodies.kernel), bonds, place, bonds.compression, still, Energy())
+        return cls(History(bodies.kernel), bonds, place, (bonds.compression,), still, Energy())
 
 
 @dataclass(frozen=True)
@@ -111,10 +112,10 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
     layer = bodies.kernel.at_rest if moment.at_rest else bodies.kernel.now
     compliance, target = layer.with_shared(shared), free + bodies.tops - past
     bonds, iterations = state.bonds, 0
-    guess = _first_guess(bodies, solver, state, compliance, target)
+    method, guess = _start(solver, state)
     while True:
         interface = bodies.law.interface(bodies.springs, bonds)
-        solution = solver.method(
+        solution = method(
             compliance, interface, target, guess, solver.tolerance, solver.max_iterations
         )
         iterations = max(iterations, solution.iterations)
@@ -137,18 +138,15 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
     )
 
 
-def _first_guess(
-    bodies: Bodies, solver: Solver, state: State, compliance: Compliance, target: np.ndarray
-) -> np.ndarray:
+def _start(solver: Solver, state: State) -> tuple[NewtonMethod, np.ndarray]:
     """Where Newton's method begins: the last compression [m], or its extrapolation."""
-    last = state.bonds.compression
+    last, *earlier = state.bonds.compression, *state.earlier_compressions
     if not solver.extrapolates:
-        return last
-    guess = 2 * last - state.earlier_compression
+        return solver.method, last
+    guess = 2 * last - earlier[0] if len(earlier) < 2 else 3 * (last - earlier[0]) + earlier[1]
     if solver.method is not robust:
-        return guess
-    interface = bodies.law.interface(bodies.springs, state.bonds)
-    return better_start(compliance, interface, target, guess, last)
+        return solver.method, guess
+    return partial(robust, last=last), guess
 
 
 def _move_on(
@@ -181,7 +179,7 @@ def _move_on(
     state.held = held.after
     remember = state.history.settle if moment.at_rest else state.history.remember
     remember(force.reshape(bodies.kernel.shape))
-    state.earlier_compression = state.bonds.compression
+    state.earlier_compressions = (state.bonds.compression, state.earlier_compressions[0])
     state.bonds, state.place, state.displacement = after, place, displacement
 
 

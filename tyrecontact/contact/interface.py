@@ -43,7 +43,9 @@ class Mirrored:
     def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         force, stiffness = self.springs.force_and_stiffness(np.abs(compression))
         active = (compression > 0) | self.bonded
-        return np.where(active, np.copysign(force, compression), 0.0), stiffness * active
+        force *= active
+        stiffness *= active
+        return np.copysign(force, compression, out=force), stiffness
 
     def energy(self, compression: np.ndarray) -> np.ndarray:
         active = (compression > 0) | self.bonded

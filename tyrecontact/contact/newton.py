@@ -8,8 +8,13 @@ b how far the road reaches into the tread as past forces have left it, g_0 the c
 within the step, F the monotone force of each element. A free element has F = 0 and d = b - g_0 F
 below zero, so that contact is part of the equation and no list of contacts is needed.
 
-`robust` solves the Newton step in the symmetric form (1 + K^1/2 g_0 K^1/2) v = K^1/2 f, which is
-positive definite, by conjugate gradients, and guards it by a line search on the energy
+The Newton step (1 + g_0 K) Delta = f is solved in the symmetric form
+
+    (1 + S g' S) y = S f,    Delta = f - g_0 S y,    S = [K / (1 + K g_00)]^1/2,
+
+g_00 being the compliance of an element under its own force and g' that between different ones: it is
+positive definite, its diagonal is 1, and conjugate gradients need a few products. `robust` guards
+the step by a line search on the energy
 
     Psi(d) = F.g_0 F / 2 + sum (F d - U) - b.F,    dPsi/dd = -K f,
 
@@ -18,17 +23,22 @@ convex in F, whose minimum is the solution. `thesis` is plain Newton on the elem
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
+from scipy.linalg.blas import daxpy
 
 from tyrecontact.contact.interface import Interface
 from tyrecontact.contact.lattice import Compliance
 
 #: relative accuracy of the linear solve: what Newton makes up for, and as good as a direct one
 _INEXACT, _EXACT = 1e-4, 1e-11
+#: share of the tolerance that the linear solve may leave in the last Newton step
+_LAST = 0.1
 _HALVINGS = 40
+#: a first guess with an imbalance beyond this share of the largest b is poor
+_POOR = 0.01
 #: an imbalance beyond this [m] is a run that is lost; going on would overflow
 _LOST = 1e6
 
@@ -61,6 +71,7 @@ def robust(
     start: np.ndarray,
     tolerance: float,
     max_iterations: int,
+    last: np.ndarray | None = None,
 ) -> Solution:
     """Newton iteration on all elements, guarded by the energy.
 
@@ -69,11 +80,17 @@ def robust(
     compliance : g_0.  interface : F, K and U.
     target : b [m], shape (elements,).  start : first guess of d [m], same shape.
     tolerance : largest |f| accepted [m].
+    last : another guess [m], taken where `start` is poor and this one has the lower energy: an
+        extrapolation may reach far into springs that turn stiff, from where there is no way back.
     """
     point = _Point.at(compliance, interface, target, start)
+    if last is not None and not point.residual <= _POOR * np.abs(target).max():
+        other = _Point.at(compliance, interface, target, last)
+        point = min(point, other, key=lambda choice: choice.energy(interface, target))
     iterations, stuck = 0, False
     while not point.residual <= tolerance and iterations < max_iterations and not stuck:
-        step = _newton_step(compliance, point.stiffness, point.imbalance, _INEXACT)
+        accuracy = min(_INEXACT, max(_EXACT, _LAST * tolerance / point.residual))
+        step = _newton_step(compliance, point.stiffness, point.imbalance, accuracy)
         lower = _descend(compliance, interface, target, point, step)
         point, stuck = lower or point, lower is None
         iterations += 1
@@ -81,24 +98,6 @@ def robust(
         point.compression, point.force, point.displacement, point.stiffness,
         iterations, point.residual, point.residual <= tolerance,
     )  # fmt: skip
-
-
-def better_start(
-    compliance: Compliance,
-    interface: Interface,
-    target: np.ndarray,
-    guess: np.ndarray,
-    last: np.ndarray,
-) -> np.ndarray:
-    """The guess [m], unless it is poor and the last compression [m] has the lower energy.
-
-    An extrapolation may reach far into springs that turn stiff, from where there is no way back.
-    """
-    point = _Point.at(compliance, interface, target, guess)
-    if point.residual <= 0.01 * np.abs(target).max():
-        return guess
-    other = _Point.at(compliance, interface, target, last)
-    return min(point, other, key=lambda choice: choice.energy(interface, target)).compression
 
 
 @dataclass(frozen=True)
@@ -124,7 +123,7 @@ class _Point:
         imbalance = target - displacement - compression
         return cls(compression, force, stiffness, displacement, imbalance)
 
-    @property
+    @cached_property
     def residual(self) -> float:
         return float(np.abs(self.imbalance).max())
 
@@ -138,41 +137,35 @@ def _newton_step(
     compliance: Compliance, stiffness: np.ndarray, imbalance: np.ndarray, accuracy: float
 ) -> np.ndarray:
     """Delta of (1 + g_0 K) Delta = f, from the symmetric form."""
-    root = np.sqrt(stiffness)
-
-    def product(v: np.ndarray) -> np.ndarray:
-        return compliance.displacement(root * v)
-
-    diagonal = 1 + stiffness * compliance.self_compliance
-    v = _conjugate_gradients(lambda v: v + root * product(v), root * imbalance, diagonal, accuracy)
-    return imbalance - product(v)
+    scale = np.sqrt(stiffness / (1 + stiffness * compliance.self_compliance))
+    y = _conjugate_gradients(compliance, scale, scale * imbalance, accuracy)
+    y *= scale
+    return imbalance - compliance.displacement(y)
 
 
 def _conjugate_gradients(
-    matrix: Callable[[np.ndarray], np.ndarray],
-    right: np.ndarray,
-    diagonal: np.ndarray,
-    accuracy: float,
+    compliance: Compliance, scale: np.ndarray, right: np.ndarray, accuracy: float
 ) -> np.ndarray:
-    """Solve with a positive definite matrix, preconditioned by its diagonal.
+    """y of (1 + S g' S) y = S f.
 
     scipy's `cg` spends three times as long on its operators as the products take at 20 x 20.
     """
-    x, residual = np.zeros_like(right), right
-    scaled = residual / diagonal
-    direction, rho = scaled, residual @ scaled
+    y, residual, direction = np.zeros_like(right), right.copy(), right.copy()
+    rho = residual @ residual
     goal = accuracy**2 * rho
     for _ in range(right.size):
         if rho <= goal:
             break
-        image = matrix(direction)
+        image = compliance.from_others(scale * direction)
+        image *= scale
+        image += direction
         share = rho / (direction @ image)
-        x = x + share * direction
-        residual = residual - share * image
-        scaled = residual / diagonal
-        last, rho = rho, residual @ scaled
-        direction = scaled + rho / last * direction
-    return x
+        y = daxpy(direction, y, a=share)
+        residual = daxpy(image, residual, a=-share)
+        last, rho = rho, residual @ residual
+        direction *= rho / last
+        direction += residual
+    return y
 
 
 def _descend(
@@ -186,14 +179,16 @@ def _descend(
 
     None where no halving does.
     """
+    trial = _Point.at(compliance, interface, target, point.compression + step)
+    if trial.residual < 0.5 * point.residual:
+        return trial
     slope = -float((point.stiffness * point.imbalance) @ step)
     before = point.energy(interface, target)
     rounding = 1e-14 * abs(before)
     for halving in range(_HALVINGS):
         share = 0.5**halving
-        trial = _Point.at(compliance, interface, target, point.compression + share * step)
-        if halving == 0 and trial.residual < 0.5 * point.residual:
-            return trial
+        if halving:
+            trial = _Point.at(compliance, interface, target, point.compression + share * step)
         if trial.energy(interface, target) <= before + 1e-4 * share * slope + rounding:
             return trial
     return None

@@ -61,17 +61,13 @@ class Springs:
     def energy(self, compression: np.ndarray) -> np.ndarray:
         """Energy [J] held at a compression [m] >= 0; last axis the elements."""
         x, c = self._look_up(np.asarray(compression, float))
-        energy = c[..., 0]
-        for power in range(1, c.shape[-1]):
-            energy = energy * x + c[..., power]
-        return energy
+        return _polynomial(c, x)
 
     def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Force [N] and stiffness [N/m] in one look-up."""
         x, c = self._look_up(compression)
-        force = (((5 * c[..., 0] * x + 4 * c[..., 1]) * x + 3 * c[..., 2]) * x + 2 * c[..., 3]) * x
-        stiffness = ((20 * c[..., 0] * x + 12 * c[..., 1]) * x + 6 * c[..., 2]) * x + 2 * c[..., 3]
-        return force + c[..., 4], stiffness
+        slope = c[..., :5] * _FIRST
+        return _polynomial(slope, x), _polynomial(slope[..., :4] * _SECOND, x)
 
     def radius(self, compression: np.ndarray) -> np.ndarray:
         """Radius a [m] of the equivalent punch at a compression [m] >= 0."""
@@ -119,34 +115,72 @@ class Springs:
         first = np.maximum.accumulate(np.where(starts, np.arange(nodes.size), 0), axis=1)
         return nodes[first]
 
+    @cached_property
+    def _rows(self) -> np.ndarray:
+        """All cells of all elements below one another; a view where the memory allows."""
+        return np.ascontiguousarray(self.energy_table).reshape(-1, self.energy_table.shape[2])
+
+    @cached_property
+    def _contact_values(self) -> np.ndarray:
+        return np.ascontiguousarray(self.contact_table).reshape(-1)
+
+    @cached_property
+    def _first_row(self) -> np.ndarray:
+        """Number of each element's first cell among all cells of all elements."""
+        return np.arange(self.count) * self.energy_table.shape[1]
+
+    @cached_property
+    def _nodes(self) -> np.ndarray:
+        return self.nodes
+
+    @cached_property
+    def _widths(self) -> np.ndarray:
+        """Of the cells [m]; beyond the last node nothing changes, however wide that cell."""
+        return np.append(np.diff(self._nodes), self.depth)
+
     def _cell(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number of the cell, and the distance from its lower node [m]."""
-        cells = self.energy_table.shape[1] - 1
-        share = np.minimum(compression / self.depth, 1.0)
-        cell = (np.sqrt(share) * cells).astype(int)
-        return cell, compression - self.depth * (cell / cells) ** 2
+        place = np.minimum(compression / self.depth, 1.0)
+        np.sqrt(place, out=place)
+        place *= self.energy_table.shape[1] - 1
+        cell = place.astype(np.intp)
+        return cell, compression - self._nodes.take(cell)
 
     def _look_up(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         cell, x = self._cell(compression)
-        return x, self.energy_table[np.arange(self.count), cell]
+        return x, self._rows.take(cell + self._first_row, axis=0)
 
     def _between_nodes(self, compression: np.ndarray, column: int) -> np.ndarray:
         cell, x = self._cell(np.asarray(compression, float))
-        table, element = self.contact_table[..., column], np.arange(self.count)
-        above = np.minimum(cell + 1, table.shape[1] - 1)
-        width = self.depth * (2 * cell + 1) / (table.shape[1] - 1) ** 2
-        low, high = table[element, cell], table[element, above]
-        return low + (high - low) * np.clip(x / width, 0.0, 1.0)
+        flat, columns = self._contact_values, self.contact_table.shape[2]
+        here = (cell + self._first_row) * columns + column
+        low = flat.take(here)
+        rise = flat.take(here + columns * (cell < self._nodes.size - 1)) - low
+        rise *= np.minimum(x / self._widths.take(cell), 1.0)
+        rise += low
+        return rise
 
     def _evaluate(self, compression: np.ndarray, derivative: int) -> np.ndarray:
         x, c = self._look_up(np.asarray(compression, float))
-        powers = np.arange(5, -1, -1)
-        for _ in range(derivative):
-            c, powers = (c * powers)[..., :-1], powers[:-1] - 1
-        value = np.zeros_like(x)
-        for i in range(c.shape[-1]):
-            value = value * x + c[..., i]
-        return value
+        if derivative > 0:
+            c = c[..., :5] * _FIRST
+        if derivative > 1:
+            c = c[..., :4] * _SECOND
+        return _polynomial(c, x)
+
+
+#: factors of the coefficients of a polynomial of the fifth degree in its derivatives
+_FIRST, _SECOND = np.arange(5.0, 0, -1), np.arange(4.0, 0, -1)
+
+
+def _polynomial(coefficients: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Value at x, shape (...,), of polynomials (..., powers), highest power first (Horner)."""
+    value = coefficients[..., 0] * x
+    for power in range(1, coefficients.shape[-1] - 1):
+        value += coefficients[..., power]
+        value *= x
+    value += coefficients[..., -1]
+    return value
 
 
 def graded(depth: float, cells: int = CELLS) -> np.ndarray:
@@ -164,7 +198,8 @@ def tabulated(
     cells = energy.c.transpose(2, 1, 0)  # scipy's (power, cell, element)
     last = np.zeros((stiffness.shape[0], 1, 6))
     last[:, 0, 3], last[:, 0, 4], last[:, 0, 5] = k(depth) / 2, energy(depth, 1), energy(depth)
-    return Springs(depth, np.concatenate([cells, last], axis=1), contact_table, tangent)
+    table = np.ascontiguousarray(np.concatenate([cells, last], axis=1))
+    return Springs(depth, table, contact_table, tangent)
 
 
 def linear(stiffness: np.ndarray, depth: float, radius: float | np.ndarray) -> Springs:

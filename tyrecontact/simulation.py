@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from functools import cached_property, partial
 
 import numpy as np
 
 from tyrecontact import assembly
 from tyrecontact.contact import newton
-from tyrecontact.contact.bonds import ElementState
+from tyrecontact.contact.bonds import Bonds, ElementState
 from tyrecontact.contact.equilibrium import (
     Bodies,
     Equilibrium,
@@ -22,6 +21,7 @@ from tyrecontact.contact.equilibrium import (
 from tyrecontact.contact.lattice import LatticeKernel
 from tyrecontact.contact.machine import Moment
 from tyrecontact.contact.stability import StabilityMargin
+from tyrecontact.fast import one_thread
 from tyrecontact.loading import Schedule
 from tyrecontact.results import STOPPED, Record, Results, Step
 from tyrecontact.road import heights
@@ -29,6 +29,11 @@ from tyrecontact.road.heights import Patch
 from tyrecontact.road.springs import Springs
 from tyrecontact.scenario import Scenario
 from tyrecontact.tread.kernels import Kernel
+
+#: by `ElementState`
+_TOUCHES = np.array(
+    [state in (ElementState.COMPRESSED, ElementState.TENSION) for state in ElementState]
+)
 
 
 class Simulation:
@@ -63,14 +68,18 @@ class Simulation:
         return len(self.schedule.time)
 
     def __iter__(self) -> Iterator[Step]:
+        with one_thread():
+            yield from self._steps()
+
+    def _steps(self) -> Iterator[Step]:
         bodies, solver, margin = self.bodies, self.solver, StabilityMargin(self.kernel)
         state, value = State.at_rest(bodies, self._start), 1.0
+        interval = self.scenario.numerics.margin_interval
         for index, moment in enumerate(self._moments()):
             equilibrium = advance(bodies, solver, state, moment)
-            if index % self.scenario.numerics.margin_interval == 0:
+            if index % interval == 0:
                 value = margin.of(equilibrium.solution.stiffness)
             step = self._step(index, equilibrium, state, value)
-            step = replace(step, stop_reason=self._reason_to_stop(step, state))
             yield step
             if step.stop_reason:
                 return
@@ -176,10 +185,7 @@ class Simulation:
     def _step(self, index: int, equilibrium: Equilibrium, state: State, margin: float) -> Step:
         solution, shape = equilibrium.solution, self.bodies.kernel.shape
         element, bonds, energy = equilibrium.state, state.bonds, state.energy
-        touching = (element == ElementState.COMPRESSED) | (element == ElementState.TENSION)
-        # an adhering contact keeps its largest area, a bare one has that of its compression
-        holding = np.where(bonds.bonded, bonds.reach, np.maximum(bonds.compression, 0.0))
-        radius = np.where(touching, self.springs.radius(holding), 0.0)
+        touching = _TOUCHES.take(element)
         return Step(
             index=index,
             time=float(self.schedule.time[index]),
@@ -190,7 +196,7 @@ class Simulation:
             residual=solution.residual,
             converged=solution.converged,
             stability_margin=margin,
-            contacts=int(touching.sum()),
+            contacts=int(np.count_nonzero(touching)),
             releases=equilibrium.releases,
             drive_work=energy.drive,
             spring_energy=energy.springs,
@@ -202,33 +208,44 @@ class Simulation:
             # copies, since the solver goes on with its own
             compression=solution.compression.reshape(shape).copy(),
             displacement=equilibrium.displacement.reshape(shape).copy(),
-            contact_area=(np.pi * radius**2).reshape(shape).astype(np.float32),
+            contact_area=self._contact_area(bonds, touching).reshape(shape),
             age=bonds.age.reshape(shape).astype(np.float32),
             state=element.reshape(shape),
+            stop_reason=self._reason_to_stop(index, equilibrium, state),
         )
 
-    def _reason_to_stop(self, step: Step, state: State) -> str:
+    def _contact_area(self, bonds: Bonds, touching: np.ndarray) -> np.ndarray:
+        """Area of each contact [m2]: an adhering one keeps its largest."""
+        held = np.where(bonds.bonded, bonds.reach, np.maximum(bonds.compression, 0.0))
+        radius = self.springs.radius(held)
+        radius *= touching
+        return (np.pi * radius**2).astype(np.float32)
+
+    def _reason_to_stop(self, index: int, equilibrium: Equilibrium, state: State) -> str:
         """Why a run must not go on after this step, or nothing."""
         # displaced by more than that is no solution of anything
-        limit = assembly.tread_thickness(self.scenario.tread)
-        if not np.abs(step.displacement).max() <= limit:
+        if not np.abs(equilibrium.displacement).max() <= self._limit:
             return (
-                f"diverged at step {step.index}: the tread is displaced by more than "
-                f"its thickness of {limit * 1e3:.3g} mm"
+                f"diverged at step {index}: the tread is displaced by more than "
+                f"its thickness of {self._limit * 1e3:.3g} mm"
             )
-        if self.scenario.numerics.solver == "thesis":
+        if self.solver.method is not newton.robust:
             return ""  # it goes on, whatever comes: that is what it is there to show
         if state.energy.is_created:
             return (
-                f"unstable at step {step.index}: the tread has given back more energy than it was "
+                f"unstable at step {index}: the tread has given back more energy than it was "
                 f"given, which no tread can; try {self._advice()}"
             )
-        if not step.converged:
+        if not equilibrium.solution.converged:
             return (
-                f"not converged at step {step.index} after {step.iterations} iterations: "
-                f"residual {step.residual:.2g} m; try {self._advice()}"
+                f"not converged at step {index} after {equilibrium.iterations} iterations: "
+                f"residual {equilibrium.solution.residual:.2g} m; try {self._advice()}"
             )
         return ""
+
+    @cached_property
+    def _limit(self) -> float:
+        return assembly.tread_thickness(self.scenario.tread)
 
     def _advice(self) -> str:
         if self.scenario.numerics.kernel == "band-limited":

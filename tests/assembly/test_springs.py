@@ -18,12 +18,12 @@ def small(**numerics: object) -> Scenario:
 def test_springs_follow_the_modulus_and_the_exchange() -> None:
     scenario = small()
     patch, depth = assembly.road_patch(scenario.road), np.full(36, 9e-6)
-    force, _ = assembly.roughness_springs(patch, scenario).force_and_stiffness(depth)
+    force = assembly.roughness_springs(patch, scenario).force(depth)
     scenario.springs.youngs_modulus *= 2
-    doubled, _ = assembly.roughness_springs(patch, scenario).force_and_stiffness(depth)
+    doubled = assembly.roughness_springs(patch, scenario).force(depth)
     np.testing.assert_allclose(doubled, 2 * force, rtol=1e-12)  # rounding
     scenario.springs.exchange_count = 10
-    softer, _ = assembly.roughness_springs(patch, scenario).force_and_stiffness(depth)
+    softer = assembly.roughness_springs(patch, scenario).force(depth)
     assert np.sum(softer != doubled) == 10
     assert softer.max() < doubled.max()
 

@@ -28,32 +28,34 @@ def test_compressed_elements_follow_their_springs(
     rough_springs: Springs, bonded: np.ndarray
 ) -> None:
     interface = Mirrored(rough_springs, bonded)
-    force, stiffness = interface.force_and_stiffness(PRESSED)
+    force, stiffness = interface.respond(PRESSED)[:2]
     np.testing.assert_allclose(force, rough_springs.force(PRESSED), rtol=1e-12)
     np.testing.assert_allclose(stiffness, rough_springs.stiffness(PRESSED), rtol=1e-12)
-    np.testing.assert_allclose(interface.energy(PRESSED), rough_springs.energy(PRESSED))
+    np.testing.assert_allclose(interface.respond(PRESSED).energy, rough_springs.energy(PRESSED))
 
 
 def test_free_elements_carry_no_tension(rough_springs: Springs) -> None:
     interface = Mirrored(rough_springs, FREE)
-    force, stiffness = interface.force_and_stiffness(-PRESSED)
-    for value in (force, stiffness, interface.energy(-PRESSED)):
+    force, stiffness = interface.respond(-PRESSED)[:2]
+    for value in (force, stiffness, interface.respond(-PRESSED).energy):
         np.testing.assert_array_equal(value, 0)
 
 
 def test_bonded_elements_pull_as_they_push(rough_springs: Springs) -> None:
     interface = Mirrored(rough_springs, BONDED)
-    push, push_stiffness = interface.force_and_stiffness(PRESSED)
-    pull, pull_stiffness = interface.force_and_stiffness(-PRESSED)
+    push, push_stiffness = interface.respond(PRESSED)[:2]
+    pull, pull_stiffness = interface.respond(-PRESSED)[:2]
     assert np.all(push > 0)
     np.testing.assert_array_equal(pull, -push)
     np.testing.assert_array_equal(pull_stiffness, push_stiffness)
-    np.testing.assert_array_equal(interface.energy(-PRESSED), interface.energy(PRESSED))
+    np.testing.assert_array_equal(
+        interface.respond(-PRESSED).energy, interface.respond(PRESSED).energy
+    )
 
 
 def test_each_element_is_judged_by_its_own_bond(rough_springs: Springs) -> None:
     bonded = np.arange(COUNT) % 2 == 0
-    force, _ = Mirrored(rough_springs, bonded).force_and_stiffness(-PRESSED)
+    force = Mirrored(rough_springs, bonded).respond(-PRESSED).force
     np.testing.assert_array_equal(force < 0, bonded)
 
 
@@ -98,10 +100,10 @@ def test_a_contact_that_was_hardly_pressed_is_not_drawn_out_without_end(
     opening = np.full(COUNT, 1e-6)
     for _ in range(60):  # to where the mirrored spring bears 0.05 N
         opening = np.where(rough_springs.force(opening) < 0.05, opening * 1.1, opening)
-    force, _ = law.interface(rough_springs, bonds).force_and_stiffness(-opening)
+    force = law.interface(rough_springs, bonds).respond(-opening).force
     assert np.all((force < 0) & (force > -0.05))
     assert law.broken(rough_springs, bonds, Outcome(-opening, force, 1e-5)).all()
-    force, _ = law.interface(rough_springs, bonds).force_and_stiffness(-0.8 * opening)
+    force = law.interface(rough_springs, bonds).respond(-0.8 * opening).force
     assert not law.broken(rough_springs, bonds, Outcome(-0.8 * opening, force, 1e-5)).any()
 
 
@@ -112,7 +114,7 @@ def test_hysteresis_breaks_above_its_release_force(rough_springs: Springs) -> No
     zero = bonds.reach - rough_springs.force(bonds.reach) / stiffness
     for share, breaks in ((0.99, False), (1.01, True)):
         place = zero - share * 0.05 / stiffness
-        force, _ = deep.force_and_stiffness(place)
+        force = deep.respond(place).force
         found = law.broken(rough_springs, bonds, Outcome(place, force, 1e-5))
         np.testing.assert_array_equal(found, breaks)
 

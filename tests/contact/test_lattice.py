@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tyrecontact.contact import lattice
 from tyrecontact.contact.lattice import History, LatticeKernel
 from tyrecontact.tread.kernels import Kernel
 
@@ -31,14 +30,19 @@ def displacement(values: np.ndarray, force: np.ndarray) -> np.ndarray:
     return total
 
 
-@pytest.mark.parametrize("dense_up_to", [0, 10_000])
-def test_products_are_those_of_the_dense_matrix(
-    monkeypatch: pytest.MonkeyPatch, dense_up_to: int
-) -> None:
-    monkeypatch.setattr(lattice, "_DENSE_UP_TO", dense_up_to)
+def test_products_are_those_of_the_dense_matrix() -> None:
     tread, force = LatticeKernel(kernel()), forces(1)[0]
     expected = displacement(kernel().values[0], force)
     np.testing.assert_allclose(tread.now.displacement(force.ravel()), expected.ravel(), atol=1e-13)
+
+
+def test_of_others_is_without_what_a_force_does_to_its_own_element() -> None:
+    shared = 0.3
+    tread, force = LatticeKernel(kernel()).now.with_shared(shared), forces(1)[0].ravel()
+    matrix = tread.matrix(np.arange(NY * NX))
+    np.testing.assert_allclose(tread.displacement(force), matrix @ force, atol=1e-13)
+    np.fill_diagonal(matrix, 0)
+    np.testing.assert_allclose(tread.from_others(force), matrix @ force, atol=1e-13)
 
 
 def test_the_matrix_between_some_elements() -> None:
@@ -50,13 +54,6 @@ def test_the_matrix_between_some_elements() -> None:
         [values[2, 3], values[1, 2], values[0, 0]],
     ]
     np.testing.assert_array_equal(matrix, expected)
-
-
-def test_spectra_multiply_to_displacements() -> None:
-    tread, force = LatticeKernel(kernel()), forces(1)[0]
-    for lag in range(LAGS):
-        found = tread.displacement(tread.spectra[lag] * tread.spectrum(force))
-        np.testing.assert_allclose(found, displacement(kernel().values[lag], force), atol=1e-13)
 
 
 def test_self_compliance_is_that_of_the_same_step() -> None:

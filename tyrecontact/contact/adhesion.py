@@ -9,6 +9,7 @@ are in contact/kinetics.py.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -52,8 +53,11 @@ class ReleaseForce:
 
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
         bonded = bonds.bonded | (outcome.compression > 0)
-        sticky = np.asarray(self.release_force) > 0
-        return bonds.after(outcome, bonded & sticky)
+        return bonds.after(outcome, bonded & self._sticky)
+
+    @cached_property
+    def _sticky(self) -> np.ndarray:
+        return np.asarray(self.release_force) > 0
 
 
 def table_limits(springs: Springs, release_force: float, step: float) -> np.ndarray:

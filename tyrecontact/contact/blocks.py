@@ -6,8 +6,8 @@ for many pairs g, x at once. Steps are taken in blocks, short ones within longer
 of B steps is full, what it does to the B steps that follow is a circular convolution of 2 B points,
 a product after a Fourier transform in time, and only the steps of the shortest block, the one that
 is not full yet, are summed one by one. The result is that of the plain sum, to rounding.
-(W. G. Gardner, J. Audio Eng. Soc. 43 (1995) 127; E. Hairer, C. Lubich and M. Schlichte, SIAM J. Sci.
-Stat. Comput. 6 (1985) 532.)
+(W. G. Gardner, J. Audio Eng. Soc. 43 (1995) 127; E. Hairer, C. Lubich and M. Schlichte,
+SIAM J. Sci. Stat. Comput. 6 (1985) 532.)
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Lagged:
     ----------
     recent : g of the lags `SHORTEST`, .., 2, 1, shape (SHORTEST, waves).
     by_length : rising in length, what acts on the last block, on the one before it and so on,
-        transformed in time; shape (blocks, waves, length + 1).
+        transformed in time; shape (blocks, waves, length + 1), complex.
     """
 
     def __init__(self, kernel: np.ndarray) -> None:
@@ -52,8 +52,10 @@ class Lagged:
 
 
 def _for_blocks(kernel: np.ndarray, length: int, count: int) -> np.ndarray:
-    windows = (kernel[n * length : (n + 2) * length] for n in range(count))
-    return np.stack([_in_frequency(window, length) for window in windows])
+    spectra = np.empty((count, kernel.shape[1], length + 1), complex)
+    for block, spectrum in enumerate(spectra):
+        _in_frequency(kernel[block * length : (block + 2) * length], length, out=spectrum)
+    return spectra
 
 
 class Memory:
@@ -98,7 +100,7 @@ class Memory:
     def _turn(self) -> None:
         """Take the blocks that have become full, the longest first: they stand for shorter ones."""
         end = (self._step - 1) % len(self._steps) + 1
-        known = np.zeros_like(self._known)
+        self._known[:] = 0
         longer_turned = False
         for blocks in reversed(self._blocks):
             if longer_turned:
@@ -107,8 +109,7 @@ class Memory:
                 blocks.take(self._steps[end - blocks.length : end])
                 longer_turned = True
             begin = self._step % blocks.length
-            known += blocks.ahead[begin : begin + SHORTEST]
-        self._known = known
+            self._known += blocks.ahead[begin : begin + SHORTEST]
 
 
 class _Blocks:
@@ -123,53 +124,57 @@ class _Blocks:
         self._kernel, self.length = kernel, kernel.shape[2] - 1
         # the block before is the next one, around the end
         self._past = np.zeros((len(kernel), parts, *kernel.shape[1:]), complex)
-        self._scratch = np.zeros_like(self._past[0])
-        self._nothing = np.zeros((self.length, parts, kernel.shape[1]))
+        self._total, self._product = self._past[0].copy(), self._past[0, 0].copy()
+        self.ahead = np.zeros((self.length, parts, kernel.shape[1]))
         self.clear()
 
     def __len__(self) -> int:
         return len(self._past)
 
     def clear(self) -> None:
-        self._newest, self._count, self.ahead = 0, 0, self._nothing
+        self._newest, self._count = 0, 0
+        self.ahead[:] = 0
 
     def take(self, block: np.ndarray) -> None:
         """Add a block that has become full, shape (length, parts, waves)."""
         self._newest = (self._newest - 1) % len(self)
         self._count = min(self._count + 1, len(self))
-        spectrum = _in_frequency(block.reshape(self.length, -1), self.length)
-        self._past[self._newest] = spectrum.reshape(self._scratch.shape)
-        total = _in_time(self._sum().reshape(spectrum.shape), self.length)
-        self.ahead = total.reshape(block.shape)
+        samples = block.reshape(self.length, -1)
+        spectrum = self._past[self._newest].reshape(-1, self.length + 1)
+        _in_frequency(samples, self.length, out=spectrum)
+        self._sum_up()
+        total, ahead = self._total.reshape(spectrum.shape), self.ahead.reshape(samples.shape)
+        _in_time(total, self.length, out=ahead)
 
-    def _sum(self) -> np.ndarray:
-        """Over all blocks, in frequency, shape (parts, waves, length + 1)."""
-        total: np.ndarray = self._kernel[0] * self._past[self._newest]
-        for age in range(1, self._count):
-            block = (self._newest + age) % len(self)
-            total += np.multiply(self._kernel[age], self._past[block], out=self._scratch)
-        return total
+    def _sum_up(self) -> None:
+        """Sum over all blocks, in frequency; part by part, which the processor's cache holds."""
+        for part in range(len(self._total)):
+            np.multiply(self._kernel[0], self._past[self._newest, part], out=self._total[part])
+            for age in range(1, self._count):
+                block = (self._newest + age) % len(self)
+                np.multiply(self._kernel[age], self._past[block, part], out=self._product)
+                self._total[part] += self._product
 
 
-def _in_frequency(samples: np.ndarray, length: int) -> np.ndarray:
+def _in_frequency(samples: np.ndarray, length: int, out: np.ndarray) -> None:
     """Transform in time of up to 2 length samples, (samples, waves) -> (waves, length + 1)."""
     if length > _MATRICES_UP_TO:
-        return np.ascontiguousarray(fft.rfft(samples, 2 * length, axis=0).T)
-    spectrum: np.ndarray = samples.T @ _matrices(length)[0][: len(samples)]
-    return spectrum.view(complex)
+        out[:] = fft.rfft(samples, 2 * length, axis=0).T
+    else:
+        np.matmul(samples.T, _matrices(length)[0][: len(samples)], out=out.view(float))
 
 
-def _in_time(spectrum: np.ndarray, length: int) -> np.ndarray:
-    """The last `length` of the 2 length samples of a transform (waves, length + 1)."""
+def _in_time(spectrum: np.ndarray, length: int, out: np.ndarray) -> None:
+    """The last `length` of the 2 length samples of a transform, (length, waves)."""
     if length > _MATRICES_UP_TO:
-        return np.ascontiguousarray(fft.irfft(spectrum, axis=1)[:, length:].T)
-    samples: np.ndarray = _matrices(length)[1] @ spectrum.view(float).T
-    return samples
+        out[:] = fft.irfft(spectrum, axis=1)[:, length:].T
+    else:
+        np.matmul(_matrices(length)[1], spectrum.view(float).T, out=out)
 
 
 @lru_cache(maxsize=8)
 def _matrices(length: int) -> tuple[np.ndarray, np.ndarray]:
-    """Both transforms, real and imaginary parts in turn: shapes (2 length, 2 length + 2), (, )."""
+    """Both transforms, (2 length, 2 length + 2) and (length, 2 length + 2); real, imaginary, .."""
     there = fft.rfft(np.eye(2 * length), axis=1).view(float)
     units = np.eye(2 * length + 2).view(complex)
     return there, np.ascontiguousarray(fft.irfft(units, axis=1)[:, length:].T)

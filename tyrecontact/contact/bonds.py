@@ -66,10 +66,7 @@ class Bonds:
         compression = outcome.compression
         dented = bonded | (compression > 0)
         touching = bonded | (outcome.force > 0)
-        return Bonds(
-            bonded,
-            np.where(touching, self.age + outcome.time_step, 0.0),
-            np.where(dented, np.maximum(self.reach, compression), 0.0),
-            np.where(bonded, self.fraction, 0.0),
-            compression,
-        )
+        age = self.age + outcome.time_step
+        age *= touching
+        reach = np.maximum(self.reach, compression)
+        return Bonds(bonded, age, np.where(dented, reach, 0.0), self.fraction * bonded, compression)

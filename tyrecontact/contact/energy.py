@@ -11,7 +11,7 @@ springs and from the machine, and never negative where a step converged.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -43,7 +43,15 @@ class Energy:
 
     def plus(self, step: Energy) -> Energy:
         """This and what a step has added."""
-        return Energy(*(getattr(self, f.name) + getattr(step, f.name) for f in fields(self)))
+        return Energy(
+            self.drive + step.drive,
+            self.springs + step.springs,
+            self.machine + step.machine,
+            self.layer + step.layer,
+            self.released + step.released,
+            self.algorithmic + step.algorithmic,
+            self.turnover + step.turnover,
+        )
 
     @property
     def imbalance(self) -> float:
@@ -78,20 +86,20 @@ class Held:
     def around(
         cls,
         before: float,
+        ended: float,
         solved: Interface,
         after: Interface,
         start: np.ndarray | None,
         end: np.ndarray,
     ) -> Held:
-        """From `before` [J] and the interfaces with the bonds of the solution and those after it.
+        """From `before` and `ended` [J], and the interfaces of the solution and after it.
 
         `start` [m] is where bonds broke on the way (None: none did), `end` [m] where it led.
         """
-        begun = before if start is None else float(solved.energy(start).sum())
-        ended = float(solved.energy(end).sum())
+        begun = before if start is None else float(solved.respond(start).energy.sum())
         # a mirrored bond forms in compression, where it holds no energy of its own
         same = isinstance(after, Mirrored)
-        return cls(before, begun, ended, ended if same else float(after.energy(end).sum()))
+        return cls(before, begun, ended, ended if same else float(after.respond(end).energy.sum()))
 
 
 def step_energy(held: Held, work: float, layer_work: float, machine: MachineEnergy) -> Energy:

@@ -12,7 +12,7 @@ from tyrecontact.contact.adhesion import Law
 from tyrecontact.contact.bonds import Bonds, ElementState, Outcome
 from tyrecontact.contact.energy import Energy, Held, step_energy
 from tyrecontact.contact.interface import Interface
-from tyrecontact.contact.lattice import Compliance, History, LatticeKernel
+from tyrecontact.contact.lattice import History, LatticeKernel
 from tyrecontact.contact.machine import Machine, Moment, Place, machine_energy
 from tyrecontact.contact.newton import Solution, robust
 from tyrecontact.road.springs import Springs
@@ -127,14 +127,15 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
     released = state.bonds.bonded & ~bonds.bonded
     rigid = shared * solution.force.sum()
     displacement = past + solution.displacement - rigid
-    _move_on(bodies, state, moment, bonds, interface, outcome, displacement, free - rigid)
+    held = float(solution.energy.sum())
+    _move_on(bodies, state, moment, bonds, interface, outcome, displacement, free - rigid, held)
     return Equilibrium(
         solution,
         free - rigid,
         displacement,
         _element_states(solution.force, state.bonds.bonded, released),
         iterations,
-        int(released.sum()),
+        int(np.count_nonzero(released)),
     )
 
 
@@ -158,6 +159,7 @@ def _move_on(
     outcome: Outcome,
     displacement: np.ndarray,
     indentation: float,
+    ended: float,
 ) -> None:
     """Take the state to the end of the step: bonds, machine, energies, memory of the tread."""
     law, springs, force = bodies.law, bodies.springs, outcome.force
@@ -165,6 +167,7 @@ def _move_on(
     place = state.place.moved(indentation, moment)
     held = Held.around(
         state.held,
+        ended,
         interface,
         law.interface(springs, after),
         None if bonds is state.bonds else state.bonds.compression,
@@ -184,6 +187,7 @@ def _move_on(
 
 
 def _element_states(force: np.ndarray, bonded: np.ndarray, released: np.ndarray) -> np.ndarray:
-    state = np.where(bonded, ElementState.TENSION, ElementState.APART)
-    state = np.where(released, ElementState.RELEASED, state)
-    return np.where(force > 0, ElementState.COMPRESSED, state).astype(np.int8)
+    state = np.int8(ElementState.TENSION) * bonded
+    np.copyto(state, np.int8(ElementState.RELEASED), where=released)
+    np.copyto(state, np.int8(ElementState.COMPRESSED), where=force > 0)
+    return state

@@ -16,6 +16,7 @@ from typing import Protocol
 
 import numpy as np
 
+from tyrecontact.road.spring_tables import Response
 from tyrecontact.road.springs import Springs
 
 
@@ -26,11 +27,8 @@ class Interface(Protocol):
     def bonded(self) -> np.ndarray:
         """Which elements can carry tension, shape (elements,), boolean."""
 
-    def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Force [N] and stiffness [N/m] at a compression [m], shape (elements,)."""
-
-    def energy(self, compression: np.ndarray) -> np.ndarray:
-        """Energy held by each element [J] at a compression [m], shape (elements,)."""
+    def respond(self, compression: np.ndarray) -> Response:
+        """Force [N], stiffness [N/m] and energy held [J] of each element at a compression [m]."""
 
 
 @dataclass(frozen=True)
@@ -40,16 +38,8 @@ class Mirrored:
     springs: Springs
     bonded: np.ndarray
 
-    def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        force, stiffness = self.springs.force_and_stiffness(np.abs(compression))
-        active = (compression > 0) | self.bonded
-        force *= active
-        stiffness *= active
-        return np.copysign(force, compression, out=force), stiffness
-
-    def energy(self, compression: np.ndarray) -> np.ndarray:
-        active = (compression > 0) | self.bonded
-        return self.springs.energy(np.abs(compression)) * active
+    def respond(self, compression: np.ndarray) -> Response:
+        return self.springs.respond(compression, self.bonded)
 
 
 class Hinged:
@@ -67,18 +57,16 @@ class Hinged:
         safe = np.where(self._slope > 0, self._slope, 1.0)
         self._zero = np.where(self._slope > 0, hinge - self._force / safe, 0.0)
 
-    def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        loading, stiffness = self.springs.force_and_stiffness(np.maximum(compression, self.hinge))
-        line = self._force + self._slope * (compression - self.hinge)
-        carries = self.bonded | (compression > self._zero)
-        below = compression < self.hinge
-        force = np.where(below, np.where(carries, line, 0.0), loading)
-        return force, np.where(below, np.where(carries, self._slope, 0.0), stiffness)
-
-    def energy(self, compression: np.ndarray) -> np.ndarray:
+    def respond(self, compression: np.ndarray) -> Response:
         """A free element with a dent keeps what its line held where the force was zero."""
-        loading = self.springs.energy(np.maximum(compression, self.hinge))
-        stop = np.where(self.bonded, compression, np.maximum(compression, self._zero))
-        gone = stop - self.hinge
-        line = self._energy + self._force * gone + self._slope * gone**2 / 2
-        return np.where(compression < self.hinge, line, loading)
+        below, gone = compression < self.hinge, compression - self.hinge
+        pressed = self.springs.respond(np.maximum(compression, self.hinge), self.bonded)
+        carries = self.bonded | (compression > self._zero)
+        line = np.where(carries, self._force + self._slope * gone, 0.0)
+        gone = np.where(carries, gone, self._zero - self.hinge)
+        held = self._energy + self._force * gone + self._slope * gone**2 / 2
+        return Response(
+            np.where(below, line, pressed.force),
+            np.where(below, np.where(carries, self._slope, 0.0), pressed.stiffness),
+            np.where(below, held, pressed.energy),
+        )

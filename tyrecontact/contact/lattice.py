@@ -12,7 +12,8 @@ from functools import cached_property
 import numpy as np
 
 from tyrecontact.contact.blocks import Lagged, Memory
-from tyrecontact.contact.transforms import transform
+from tyrecontact.contact.neighbours import Neighbours
+from tyrecontact.contact.transforms import PARTS, Matrices, kernel_waves, transform
 from tyrecontact.tread.kernels import Kernel
 
 
@@ -35,8 +36,9 @@ class Compliance:
         self.shape: tuple[int, int] = values.shape
         self.self_compliance = float(values[0, 0]) + shared
         self._transform = transform(self.shape)
-        self._waves = self._transform.of_kernel(values)
-        self._waves_of_others = self._waves - values[0, 0]
+        self._waves = kernel_waves(values)
+        self._grid = self._transform.grid(self._waves)
+        self._grid_of_others = self._transform.grid(self._waves - values[0, 0])
 
     def with_shared(self, shared: float) -> Compliance:
         """The same with another rigid motion [m/N]; nothing is computed anew."""
@@ -49,13 +51,28 @@ class Compliance:
 
     def displacement(self, force: np.ndarray) -> np.ndarray:
         """Displacement [m] under element forces [N], both (ny nx,)."""
-        near = self._transform.product(self._waves, force.reshape(self.shape)).ravel()
+        near = self._transform.product(self._grid, force.reshape(self.shape)).ravel()
         return near + self.shared * force.sum() if self.shared else near
 
     def from_others(self, force: np.ndarray) -> np.ndarray:
         """The same without what the force on an element does to itself."""
-        near = self._transform.product(self._waves_of_others, force.reshape(self.shape)).ravel()
+        near = self._transform.product(self._grid_of_others, force.reshape(self.shape)).ravel()
         return near + self.shared * (force.sum() - force) if self.shared else near
+
+    @cached_property
+    def neighbours(self) -> Neighbours:
+        """What preconditions solutions with it."""
+        own = float(self.values[0, 0])
+        return Neighbours(self._waves - own, own)
+
+    @cached_property
+    def as_matrices(self) -> tuple[np.ndarray, ...] | None:
+        """What products are taken by, where it is matrices (contact/compiled.py, `Tread`)."""
+        if not isinstance(self._transform, Matrices):
+            return None
+        double = (self._transform.across, self._transform.along, self._grid)
+        single = (*double[:2], self._grid_of_others, self.neighbours.stencils)
+        return (*double, *(values.astype(np.float32) for values in single))
 
     def matrix(self, elements: np.ndarray) -> np.ndarray:
         """Dense matrix between the listed elements (flat indices) [m/N]."""
@@ -90,7 +107,8 @@ class LatticeKernel:
         """What past forces are multiplied with; None if the kernel remembers none."""
         if len(self.kernel.values) < 2:
             return None
-        return Lagged(transform(self.shape).of_kernel(self.kernel.values))
+        waves = kernel_waves(self.kernel.values)
+        return Lagged(waves.reshape(len(waves), -1))
 
 
 class History:
@@ -103,7 +121,7 @@ class History:
         self._shape, self._transform = kernel.shape, transform(kernel.shape)
         self._memory: Memory | None = None
         if kernel.lagged is not None:
-            self._memory = Memory(kernel.lagged, self._transform.parts)
+            self._memory = Memory(kernel.lagged, PARTS)
 
     def displacement(self) -> np.ndarray:
         """Displacement of the coming step due to all past forces [m], (ny, nx)."""

@@ -60,7 +60,7 @@ class Machine:
 
     @property
     def is_rigid(self) -> bool:
-        return bool(np.isinf(self.stiffness))
+        return self.stiffness == np.inf
 
     def inertia(self, moment: Moment) -> float:
         """J [N/m]."""

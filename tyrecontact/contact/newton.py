@@ -8,13 +8,7 @@ b how far the road reaches into the tread as past forces have left it, g_0 the c
 within the step, F the monotone force of each element. A free element has F = 0 and d = b - g_0 F
 below zero, so that contact is part of the equation and no list of contacts is needed.
 
-The Newton step (1 + g_0 K) Delta = f is solved in the symmetric form
-
-    (1 + S g' S) y = S f,    Delta = f - g_0 S y,    S = [K / (1 + K g_00)]^1/2,
-
-g_00 being the compliance of an element under its own force and g' that between different ones: it is
-positive definite, its diagonal is 1, and conjugate gradients need a few products. `robust` guards
-the step by a line search on the energy
+`robust` guards the Newton step (contact/linear.py) by a line search on the energy
 
     Psi(d) = F.g_0 F / 2 + sum (F d - U) - b.F,    dPsi/dd = -K f,
 
@@ -25,15 +19,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from types import ModuleType
 
 import numpy as np
-from scipy.linalg.blas import daxpy
 
-from tyrecontact.contact.interface import Interface
+from tyrecontact.contact.interface import Interface, Mirrored
 from tyrecontact.contact.lattice import Compliance
+from tyrecontact.contact.linear import newton_step
+from tyrecontact.fast import compiled
 
 #: relative accuracy of the linear solve: what Newton makes up for, and as good as a direct one
 _INEXACT, _EXACT = 1e-4, 1e-11
+#: no linear solve in single precision can be asked for more
+_SINGLE = 1e-5
 #: share of the tolerance that the linear solve may leave in the last Newton step
 _LAST = 0.1
 _HALVINGS = 40
@@ -49,16 +47,18 @@ class Solution:
 
     Attributes
     ----------
-    compression, force : [m] and [N], shape (elements,).
-    displacement, stiffness : g_0 F [m] and dF/dd [N/m], shape (elements,).
+    compression, force, stiffness : d [m], F [N] and dF/dd [N/m], shape (elements,).
+    energy : held by each element [J], shape (elements,).
+    displacement : g_0 F [m], shape (elements,).
     iterations : Newton iterations used.
     residual, converged : largest |f| [m], and whether it is within the tolerance.
     """
 
     compression: np.ndarray
     force: np.ndarray
-    displacement: np.ndarray
     stiffness: np.ndarray
+    energy: np.ndarray
+    displacement: np.ndarray
     iterations: int
     residual: float
     converged: bool
@@ -83,20 +83,49 @@ def robust(
     last : another guess [m], taken where `start` is poor and this one has the lower energy: an
         extrapolation may reach far into springs that turn stiff, from where there is no way back.
     """
+    loops = compiled("tyrecontact.contact.compiled")
+    if loops is not None and isinstance(interface, Mirrored) and compliance.as_matrices:
+        guesses = np.array([start] if last is None else [start, last])
+        limits = (tolerance, _POOR, _INEXACT, _SINGLE, _LAST, max_iterations, _HALVINGS)
+        return _compiled_robust(loops, compliance, interface, target, guesses, limits)
     point = _Point.at(compliance, interface, target, start)
     if last is not None and not point.residual <= _POOR * np.abs(target).max():
         other = _Point.at(compliance, interface, target, last)
-        point = min(point, other, key=lambda choice: choice.energy(interface, target))
+        point = min(point, other, key=lambda choice: choice.potential(target))
     iterations, stuck = 0, False
     while not point.residual <= tolerance and iterations < max_iterations and not stuck:
         accuracy = min(_INEXACT, max(_EXACT, _LAST * tolerance / point.residual))
-        step = _newton_step(compliance, point.stiffness, point.imbalance, accuracy)
+        step = newton_step(compliance, point.stiffness, point.imbalance, accuracy)
         lower = _descend(compliance, interface, target, point, step)
         point, stuck = lower or point, lower is None
         iterations += 1
     return Solution(
-        point.compression, point.force, point.displacement, point.stiffness,
+        point.compression, point.force, point.stiffness, point.energy, point.displacement,
         iterations, point.residual, point.residual <= tolerance,
+    )  # fmt: skip
+
+
+def _compiled_robust(
+    loops: ModuleType,
+    compliance: Compliance,
+    interface: Mirrored,
+    target: np.ndarray,
+    guesses: np.ndarray,
+    limits: tuple[float, ...],
+) -> Solution:
+    springs, matrices = interface.springs, compliance.as_matrices or ()
+    found, iterations = loops.robust(
+        springs.cells,
+        springs.depth,
+        interface.bonded,
+        loops.Tread(*matrices, compliance.self_compliance, compliance.shared),
+        target,
+        guesses,
+        loops.Limits(*limits),
+    )
+    return Solution(
+        found.compression, found.force, found.stiffness, found.energy, found.displacement,
+        iterations, found.residual, found.residual <= limits[0],
     )  # fmt: skip
 
 
@@ -107,6 +136,7 @@ class _Point:
     compression: np.ndarray
     force: np.ndarray
     stiffness: np.ndarray
+    energy: np.ndarray
     displacement: np.ndarray
     imbalance: np.ndarray  # f
 
@@ -118,54 +148,21 @@ class _Point:
         target: np.ndarray,
         compression: np.ndarray,
     ) -> _Point:
-        force, stiffness = interface.force_and_stiffness(compression)
+        force, stiffness, energy = interface.respond(compression)
         displacement = compliance.displacement(force)
-        imbalance = target - displacement - compression
-        return cls(compression, force, stiffness, displacement, imbalance)
+        imbalance = target - displacement
+        imbalance -= compression
+        return cls(compression, force, stiffness, energy, displacement, imbalance)
 
     @cached_property
     def residual(self) -> float:
         return float(np.abs(self.imbalance).max())
 
-    def energy(self, interface: Interface, target: np.ndarray) -> float:
+    def potential(self, target: np.ndarray) -> float:
+        """Psi [J]."""
         force, compression = self.force, self.compression
-        complementary = force @ compression - interface.energy(compression).sum()
+        complementary = force @ compression - self.energy.sum()
         return float(force @ self.displacement / 2 + complementary - target @ force)
-
-
-def _newton_step(
-    compliance: Compliance, stiffness: np.ndarray, imbalance: np.ndarray, accuracy: float
-) -> np.ndarray:
-    """Delta of (1 + g_0 K) Delta = f, from the symmetric form."""
-    scale = np.sqrt(stiffness / (1 + stiffness * compliance.self_compliance))
-    y = _conjugate_gradients(compliance, scale, scale * imbalance, accuracy)
-    y *= scale
-    return imbalance - compliance.displacement(y)
-
-
-def _conjugate_gradients(
-    compliance: Compliance, scale: np.ndarray, right: np.ndarray, accuracy: float
-) -> np.ndarray:
-    """y of (1 + S g' S) y = S f.
-
-    scipy's `cg` spends three times as long on its operators as the products take at 20 x 20.
-    """
-    y, residual, direction = np.zeros_like(right), right.copy(), right.copy()
-    rho = residual @ residual
-    goal = accuracy**2 * rho
-    for _ in range(right.size):
-        if rho <= goal:
-            break
-        image = compliance.from_others(scale * direction)
-        image *= scale
-        image += direction
-        share = rho / (direction @ image)
-        y = daxpy(direction, y, a=share)
-        residual = daxpy(image, residual, a=-share)
-        last, rho = rho, residual @ residual
-        direction *= rho / last
-        direction += residual
-    return y
 
 
 def _descend(
@@ -183,13 +180,13 @@ def _descend(
     if trial.residual < 0.5 * point.residual:
         return trial
     slope = -float((point.stiffness * point.imbalance) @ step)
-    before = point.energy(interface, target)
+    before = point.potential(target)
     rounding = 1e-14 * abs(before)
     for halving in range(_HALVINGS):
         share = 0.5**halving
         if halving:
             trial = _Point.at(compliance, interface, target, point.compression + share * step)
-        if trial.energy(interface, target) <= before + 1e-4 * share * slope + rounding:
+        if trial.potential(target) <= before + 1e-4 * share * slope + rounding:
             return trial
     return None
 
@@ -212,7 +209,7 @@ def thesis(
     touching = (start > 0) | interface.bonded
     d, iterations = start, 0
     while True:
-        force, stiffness = interface.force_and_stiffness(np.where(touching, d, 0.0))
+        force, stiffness, energy = interface.respond(np.where(touching, d, 0.0))
         displacement = compliance.displacement(force)
         reach = target - displacement
         d = np.where(touching, d, reach)
@@ -221,15 +218,17 @@ def thesis(
         residual = float(np.abs(imbalance).max())
         converged = residual <= tolerance and not joining.any()
         if converged or iterations == max_iterations or not residual < _LOST:
-            return Solution(d, force, displacement, stiffness, iterations, residual, converged)
+            return Solution(
+                d, force, stiffness, energy, displacement, iterations, residual, converged
+            )
         if joining.any():
             touching = touching | joining
-            force, stiffness = interface.force_and_stiffness(np.where(touching, d, 0.0))
+            force, stiffness, _ = interface.respond(np.where(touching, d, 0.0))
             imbalance = target - compliance.displacement(force) - d
         if as_printed:
             step = _step_as_printed(compliance, stiffness, imbalance, touching)
         else:
-            step = _newton_step(compliance, stiffness, imbalance, _EXACT)
+            step = newton_step(compliance, stiffness, imbalance, _EXACT)
         d = d + np.where(touching, step, 0.0)
         iterations += 1
 

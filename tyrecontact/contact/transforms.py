@@ -1,4 +1,4 @@
-r"""Transforms in which a sum over elements is a product, element by element of the transform.
+r"""Transforms in which a sum over elements is a product, wave by wave.
 
 What an element feels depends on its distance (i, j) to the loaded one, and alike on both sides. On
 a line of n elements continued with the period 2 n, waves are then multiplied by one real number
@@ -21,125 +21,136 @@ from scipy import fft
 
 #: up to this many elements a side products with matrices are faster than fast transforms
 MATRICES_UP_TO = 96
+#: coefficients that belong to one pair of wave numbers: cosine and sine in both directions
+PARTS = 4
 
 
 class Transform(Protocol):
-    """Between fields on the lattice, shape (ny, nx), and coefficients, shape (parts, waves).
-
-    All `parts` of a coefficient (real and imaginary, or one alone) share a wave, and with it a
-    number of the kernel's, shape (waves,).
-    """
-
-    parts: int
-    waves: int
+    """Between fields on the lattice, (ny, nx), and coefficients, (PARTS, (ny + 1) (nx + 1))."""
 
     def forward(self, field: np.ndarray) -> np.ndarray:
-        """Coefficients (parts, waves) of a field (ny, nx)."""
+        """Coefficients of a field."""
 
     def backward(self, coefficients: np.ndarray) -> np.ndarray:
-        """The field (ny, nx) of coefficients (parts, waves)."""
+        """The field of coefficients."""
 
-    def of_kernel(self, values: np.ndarray) -> np.ndarray:
-        """What a kernel by offset (..., ny, nx) multiplies each wave with, (..., waves)."""
+    def grid(self, waves: np.ndarray) -> np.ndarray:
+        """`kernel_waves` (ny + 1, nx + 1) as `product` wants them."""
 
-    def product(self, kernel: np.ndarray, field: np.ndarray) -> np.ndarray:
-        """The sum over elements (ny, nx): there, times the kernel's numbers (waves,), and back."""
-
-
-def transform(shape: tuple[int, int]) -> Transform:
-    """The faster transform for a patch of (ny, nx) elements; made once for each shape."""
-    return _matrices(shape) if max(shape) <= MATRICES_UP_TO else Fourier(shape)
-
-
-class Matrices:
-    """Real waves, by a product with a matrix in each direction."""
-
-    parts = 1
-
-    def __init__(self, shape: tuple[int, int]) -> None:
-        self._across, self._along = (_waves(count) for count in shape)
-        self._across_back = np.ascontiguousarray(self._across.T)
-        self._along_back = np.ascontiguousarray(self._along.T)
-        self._numbers = tuple(_wave_numbers(count) for count in shape)
-        self._sums = tuple(_kernel_sums(count) for count in shape)
-        self._grid = (2 * shape[0], 2 * shape[1])
-        self.waves = self._grid[0] * self._grid[1]
-
-    def forward(self, field: np.ndarray) -> np.ndarray:
-        return (self._across @ field @ self._along_back).reshape(1, -1)
-
-    def backward(self, coefficients: np.ndarray) -> np.ndarray:
-        field: np.ndarray = self._across_back @ coefficients.reshape(self._grid) @ self._along
-        return field
-
-    def of_kernel(self, values: np.ndarray) -> np.ndarray:
-        quarter = self._sums[0] @ values @ self._sums[1].T
-        whole = quarter[..., self._numbers[0][:, None], self._numbers[1]]
-        return whole.reshape(*values.shape[:-2], -1)
-
-    def product(self, kernel: np.ndarray, field: np.ndarray) -> np.ndarray:
-        waves = self._across @ field @ self._along_back
-        waves *= kernel.reshape(self._grid)
-        result: np.ndarray = self._across_back @ waves @ self._along
-        return result
+    def product(self, grid: np.ndarray, field: np.ndarray) -> np.ndarray:
+        """The sum over elements of kernel and field: there, times the waves, and back."""
 
 
 @lru_cache(maxsize=8)
-def _matrices(shape: tuple[int, int]) -> Matrices:
-    return Matrices(shape)
+def transform(shape: tuple[int, int]) -> Transform:
+    """The faster transform for a patch of (ny, nx) elements; made once for each shape."""
+    return Matrices(shape) if max(shape) <= MATRICES_UP_TO else Fourier(shape)
 
 
-def _wave_numbers(count: int) -> np.ndarray:
-    """k of each row of `_waves`: all cosines and sines that are not zero on the lattice."""
-    last = count - 1 + count % 2  # about the centre, k = n is a sine if n is even, else a cosine
-    return np.concatenate([np.arange(last + 1), np.arange(1, 2 * count - last)])
-
-
-def _waves(count: int) -> np.ndarray:
-    """B, shape (2 count, count)."""
-    k = _wave_numbers(count)[:, None]
-    phase = np.pi * k * (np.arange(count) - (count - 1) / 2) / count
-    cosine = np.arange(2 * count)[:, None] < count + count % 2
-    weight = np.sqrt(np.where((k == 0) | (k == count), 1, 2) / (2 * count))
-    waves: np.ndarray = weight * np.where(cosine, np.cos(phase), np.sin(phase))
+def kernel_waves(values: np.ndarray) -> np.ndarray:
+    """lambda of kernels by offset, (..., ny, nx) -> (..., ny + 1, nx + 1)."""
+    across, along = (_sums(count) for count in values.shape[-2:])
+    waves: np.ndarray = across @ values @ along.T
     return waves
 
 
-def _kernel_sums(count: int) -> np.ndarray:
+def near_values(waves: np.ndarray) -> np.ndarray:
+    """g of waves (..., ny + 1, nx + 1) for offsets 0 and 1, shape (..., 2, 2)."""
+    across, along = (_means(count - 1) for count in waves.shape[-2:])
+    values: np.ndarray = across @ waves @ along.T
+    return values
+
+
+class Matrices:
+    """Real waves, by a product with a matrix in each direction.
+
+    Attributes
+    ----------
+    across, along : B of the rows that are not zero, shapes (2 ny, ny) and (2 nx, nx).
+    """
+
+    def __init__(self, shape: tuple[int, int]) -> None:
+        self._shape = shape
+        (self._all_across, y), (self._all_along, x) = (_waves(count) for count in shape)
+        self.across, self.along = self._all_across[y], self._all_along[x]
+        self._numbers = np.ix_(y % (shape[0] + 1), x % (shape[1] + 1))
+
+    def forward(self, field: np.ndarray) -> np.ndarray:
+        ny, nx = self._shape
+        parts = (self._all_across @ field @ self._all_along.T).reshape(2, ny + 1, 2, nx + 1)
+        return parts.transpose(0, 2, 1, 3).reshape(PARTS, -1)
+
+    def backward(self, coefficients: np.ndarray) -> np.ndarray:
+        ny, nx = self._shape
+        parts = coefficients.reshape(2, 2, ny + 1, nx + 1).transpose(0, 2, 1, 3)
+        waves = parts.reshape(2 * ny + 2, 2 * nx + 2)
+        field: np.ndarray = self._all_across.T @ waves @ self._all_along
+        return field
+
+    def grid(self, waves: np.ndarray) -> np.ndarray:
+        return waves[self._numbers]
+
+    def product(self, grid: np.ndarray, field: np.ndarray) -> np.ndarray:
+        waves = self.across @ field @ self.along.T
+        waves *= grid
+        result: np.ndarray = self.across.T @ waves @ self.along
+        return result
+
+
+def _waves(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """B with all cosines and sines, (2 count + 2, count), and the rows that are not zero."""
+    k = np.tile(np.arange(count + 1), 2)[:, None]
+    phase = np.pi * k * (np.arange(count) - (count - 1) / 2) / count
+    cosine = np.arange(2 * count + 2)[:, None] <= count
+    weight = np.sqrt(np.where((k == 0) | (k == count), 1, 2) / (2 * count))
+    waves = weight * np.where(cosine, np.cos(phase), np.sin(phase))
+    # about the centre: no sine of k = 0, and of k = n the one that is not zero there
+    zero = [count + 1, 2 * count + 1 if count % 2 else count]
+    waves[zero] = 0
+    return waves, np.delete(np.arange(2 * count + 2), zero)
+
+
+def _sums(count: int) -> np.ndarray:
     """From g_x to lambda_k, shape (count + 1, count)."""
     k, x = np.arange(count + 1)[:, None], np.arange(count)
     sums: np.ndarray = np.where(x > 0, 2, 1) * np.cos(np.pi * k * x / count)
     return sums
 
 
+def _means(count: int) -> np.ndarray:
+    """From lambda_k to g_0 and g_1, shape (2, count + 1)."""
+    k, x = np.arange(count + 1), np.arange(2)[:, None]
+    weight = np.where((k == 0) | (k == count), 1, 2) / (2 * count)
+    means: np.ndarray = weight * np.cos(np.pi * k * x / count)
+    return means
+
+
 class Fourier:
     """Complex waves by the fast transform; rows and columns of zeros are left out."""
 
-    parts = 2
-
     def __init__(self, shape: tuple[int, int]) -> None:
         self._shape, self._padded = shape, (2 * shape[0], 2 * shape[1])
-        self._grid = (2 * shape[0], shape[1] + 1)
-        self.waves = self._grid[0] * self._grid[1]
 
     def forward(self, field: np.ndarray) -> np.ndarray:
-        waves = self._forward(field).ravel()
-        return np.stack([waves.real, waves.imag])
+        waves, ny = self._forward(field), self._shape[0]
+        back = -np.arange(ny + 1) % (2 * ny)  # of k = 0 and n twice the same
+        parts = [part for half in (waves[: ny + 1], waves[back]) for part in (half.real, half.imag)]
+        return np.stack(parts).reshape(PARTS, -1)
 
     def backward(self, coefficients: np.ndarray) -> np.ndarray:
-        waves = np.empty(self._grid, complex)
-        waves.real, waves.imag = coefficients.reshape(2, *self._grid)
+        ny, nx = self._shape
+        parts = coefficients.reshape(PARTS, ny + 1, nx + 1)
+        waves = np.empty((2 * ny, nx + 1), complex)
+        waves.real[: ny + 1], waves.imag[: ny + 1] = parts[0], parts[1]
+        waves.real[ny + 1 :], waves.imag[ny + 1 :] = parts[2, -2:0:-1], parts[3, -2:0:-1]
         return self._backward(waves)
 
-    def of_kernel(self, values: np.ndarray) -> np.ndarray:
-        sums = [_kernel_sums(count) for count in self._shape]
-        quarter = sums[0] @ values @ sums[1].T
-        mirrored = quarter[..., -2:0:-1, :]
-        return np.concatenate([quarter, mirrored], axis=-2).reshape(*values.shape[:-2], -1)
+    def grid(self, waves: np.ndarray) -> np.ndarray:
+        return np.concatenate([waves, waves[-2:0:-1]])
 
-    def product(self, kernel: np.ndarray, field: np.ndarray) -> np.ndarray:
+    def product(self, grid: np.ndarray, field: np.ndarray) -> np.ndarray:
         waves = self._forward(field)
-        waves *= kernel.reshape(self._grid)
+        waves *= grid
         return self._backward(waves)
 
     def _forward(self, field: np.ndarray) -> np.ndarray:

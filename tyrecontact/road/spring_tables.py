@@ -10,14 +10,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator, PPoly
 
 from tyrecontact.errors import InputError
+from tyrecontact.fast import compiled
 
 #: number of cells of the tables of springs that are made from heights
 CELLS = 256
+
+
+class Response(NamedTuple):
+    """What springs answer: force [N], stiffness [N/m], energy [J]; shape (elements,) each."""
+
+    force: np.ndarray
+    stiffness: np.ndarray
+    energy: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -60,14 +70,32 @@ class Springs:
 
     def energy(self, compression: np.ndarray) -> np.ndarray:
         """Energy [J] held at a compression [m] >= 0; last axis the elements."""
-        x, c = self._look_up(np.asarray(compression, float))
-        return _polynomial(c, x)
+        return self._evaluate(compression, 0)
 
-    def force_and_stiffness(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Force [N] and stiffness [N/m] in one look-up."""
-        x, c = self._look_up(compression)
-        slope = c[..., :5] * _FIRST
-        return _polynomial(slope, x), _polynomial(slope[..., :4] * _SECOND, x)
+    def respond(self, compression: np.ndarray, mirrored: np.ndarray) -> Response:
+        """Force, stiffness and energy in one look-up; all arrays have shape (elements,).
+
+        Parameters
+        ----------
+        compression : [m]; below zero a spring gives nothing,
+        mirrored : but where it answers there as it does above, F(-d) = -F(d).
+        """
+        x, coefficients = self._look_up(np.abs(compression))
+        energy, force, stiffness = (coefficients[0].copy() for _ in range(3))
+        for power, coefficient in enumerate(coefficients[1:], start=1):
+            energy *= x
+            energy += coefficient
+            if power < 5:  # Horner's scheme for the derivative, and for half the second one
+                force *= x
+                force += energy
+            if power < 4:
+                stiffness *= x
+                stiffness += force
+        active = (compression > 0) | mirrored
+        force *= active
+        energy *= active
+        stiffness *= 2 * active
+        return Response(np.copysign(force, compression, out=force), stiffness, energy)
 
     def radius(self, compression: np.ndarray) -> np.ndarray:
         """Radius a [m] of the equivalent punch at a compression [m] >= 0."""
@@ -116,13 +144,13 @@ class Springs:
         return nodes[first]
 
     @cached_property
-    def _rows(self) -> np.ndarray:
-        """All cells of all elements below one another; a view where the memory allows."""
-        return np.ascontiguousarray(self.energy_table).reshape(-1, self.energy_table.shape[2])
+    def cells(self) -> np.ndarray:
+        """`energy_table` in one piece of memory, as look-ups want it."""
+        return np.ascontiguousarray(self.energy_table)
 
     @cached_property
-    def _contact_values(self) -> np.ndarray:
-        return np.ascontiguousarray(self.contact_table).reshape(-1)
+    def _contact_cells(self) -> np.ndarray:
+        return np.ascontiguousarray(self.contact_table)
 
     @cached_property
     def _first_row(self) -> np.ndarray:
@@ -147,12 +175,21 @@ class Springs:
         return cell, compression - self._nodes.take(cell)
 
     def _look_up(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Distance from the cell's node [m], and the coefficients of U, powers first."""
         cell, x = self._cell(compression)
-        return x, self._rows.take(cell + self._first_row, axis=0)
+        rows = self.cells.reshape(-1, self.cells.shape[2]).take(cell + self._first_row, axis=0)
+        return x, np.ascontiguousarray(rows.transpose(-1, *range(rows.ndim - 1)))
 
     def _between_nodes(self, compression: np.ndarray, column: int) -> np.ndarray:
-        cell, x = self._cell(np.asarray(compression, float))
-        flat, columns = self._contact_values, self.contact_table.shape[2]
+        compression = np.asarray(compression, float)
+        loops = compiled("tyrecontact.road.compiled")
+        if loops is not None and compression.ndim == 1:
+            values: np.ndarray = loops.between_nodes(
+                self._contact_cells, column, self.depth, compression
+            )
+            return values
+        cell, x = self._cell(compression)
+        flat, columns = self._contact_cells.reshape(-1), self.contact_table.shape[2]
         here = (cell + self._first_row) * columns + column
         low = flat.take(here)
         rise = flat.take(here + columns * (cell < self._nodes.size - 1)) - low
@@ -161,26 +198,15 @@ class Springs:
         return rise
 
     def _evaluate(self, compression: np.ndarray, derivative: int) -> np.ndarray:
-        x, c = self._look_up(np.asarray(compression, float))
-        if derivative > 0:
-            c = c[..., :5] * _FIRST
-        if derivative > 1:
-            c = c[..., :4] * _SECOND
-        return _polynomial(c, x)
-
-
-#: factors of the coefficients of a polynomial of the fifth degree in its derivatives
-_FIRST, _SECOND = np.arange(5.0, 0, -1), np.arange(4.0, 0, -1)
-
-
-def _polynomial(coefficients: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Value at x, shape (...,), of polynomials (..., powers), highest power first (Horner)."""
-    value = coefficients[..., 0] * x
-    for power in range(1, coefficients.shape[-1] - 1):
-        value += coefficients[..., power]
-        value *= x
-    value += coefficients[..., -1]
-    return value
+        x, coefficients = self._look_up(np.asarray(compression, float))
+        for _ in range(derivative):
+            powers = np.arange(len(coefficients) - 1, 0, -1)
+            coefficients = coefficients[:-1] * powers.reshape(-1, *[1] * x.ndim)
+        value = coefficients[0].copy()
+        for coefficient in coefficients[1:]:
+            value *= x
+            value += coefficient
+        return value
 
 
 def graded(depth: float, cells: int = CELLS) -> np.ndarray:

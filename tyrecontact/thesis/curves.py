@@ -55,7 +55,7 @@ def springs() -> xr.Dataset:
     force, stiffness = np.empty((2, chosen.size, depth.size))
     for column, compression in enumerate(depth):
         pressed = np.full(law.count, abs(compression))
-        f, k = law.force_and_stiffness(pressed)
+        f, k = law.respond(pressed, np.ones(law.count, bool))[:2]
         holds = (compression >= 0) | (f <= limits)
         force[:, column] = np.where(holds, np.sign(compression) * f, 0.0)[chosen]
         stiffness[:, column] = np.where(holds, k, 0.0)[chosen]

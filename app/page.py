@@ -99,7 +99,7 @@ class Session:
         if run.simulation is not None and not self._prepared:
             self._prepare_views(run)
         if self._prepared:
-            self._draw(run)
+            self._draw(run, ended)
         self.headline.update(run)
         if ended:
             self._stop_clock()
@@ -130,14 +130,14 @@ class Session:
         self.iterations.reset(self.run.scenario.numerics.max_iterations)
         self.contact_map.clear()
 
-    def _draw(self, run: Run) -> None:
+    def _draw(self, run: Run, ended: bool) -> None:
         assert run.simulation is not None
         assert run.record is not None
         low, high = self._drawn, run.record.count
-        if high == low:
+        if high == 0 or (high == low and not ended):
             return
-        self.force.update(run.record, low, high)
-        self.iterations.update(run.record, low, high)
+        self.force.update(run.record, low, high, ended)
+        self.iterations.update(run.record, low, high, ended)
         self.contact_map.show(run.record, high - 1, run.simulation.kernel.spacing)
         self.progress.value = round(100 * high / len(run.simulation))
         self._drawn = high

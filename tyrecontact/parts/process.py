@@ -144,7 +144,7 @@ class Numerics(Part):
         "A hold that outlasts the kernel's memory: at rest in growing steps, or step by step",
     )
     field_memory = Quantity(
-        100e6, (1e6, 4e9), "B",
-        "For maps of the elements: when it is full, every second one is dropped; numbers all stay",
+        100e6, (0.0, 4e9), "B",
+        "For maps of the elements: full, every second one goes; 0: first and last alone",
         ("MB", 1e-6),
     )  # fmt: skip

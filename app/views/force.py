@@ -54,6 +54,12 @@ class ForceView:
         """Change the horizontal axis."""
         put_on(self.root, self._glyphs, axis)
 
+    def look(self) -> None:
+        """Show in full what of a long run the horizontal range has been narrowed to."""
+        span, axis = self.root.x_range, self._glyphs[-1].glyph.x
+        for points in (self._all, self._bad):
+            points.look(axis, span.start, span.end)
+
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
         self._run.glyph.line_color = RUN_COLOR[dark]

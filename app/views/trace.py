@@ -29,7 +29,8 @@ class Trace:
 
     A point for each step, up to `POINTS` of them. Then the curve is thinned by half, to the
     extremes of stretches of steps, and grows on in such stretches; and so on. What is sent to the
-    browser so grows with the logarithm of the number of steps.
+    browser so grows with the logarithm of the number of steps. Of a run that has ended `look`
+    shows a part in full.
 
     Attributes
     ----------
@@ -44,6 +45,7 @@ class Trace:
     def clear(self) -> None:
         self.source.data = {"time_ms": [], "indentation_um": [], self._name: []}
         self._stretch, self._done, self._last = 1, 0, -1
+        self._whole_run: tuple[Mapping[str, np.ndarray], np.ndarray] | None = None
 
     def update(self, columns: Mapping[str, np.ndarray], rows: np.ndarray, ended: bool) -> None:
         """Follow a run whose steps to be drawn are now `rows`, increasing and so far the same.
@@ -62,6 +64,24 @@ class Trace:
         self._done = self._whole(rows, ended)
         if chosen.size:
             self._last = int(chosen[-1])
+        if ended:
+            self._whole_run = columns, rows
+
+    def look(self, axis: str, low: float, high: float) -> None:
+        """Of a run that has ended: every step from `low` to `high` on an axis, a column of the
+        source; or the extremes of stretches that are as short as there is room.
+        """
+        if self._whole_run is None or self._stretch == 1:
+            return
+        columns, rows = self._whole_run
+        place = self._points(columns, rows)[axis]
+        near = rows[(low <= place) & (place <= high)]
+        stretch = 1 if near.size <= POINTS else -(-2 * near.size // POINTS)
+        detail = near[extremes(columns[self._column][near], stretch)]
+        around = rows[extremes(columns[self._column][rows], self._stretch)]
+        ends = rows[[0, -1]]
+        shown = np.unique(np.concatenate([ends, around, detail]))
+        self.source.data = self._points(columns, shown)
 
     def _whole(self, rows: np.ndarray, ended: bool) -> int:
         return rows.size if ended else rows.size // self._stretch * self._stretch

@@ -8,6 +8,7 @@ import pytest
 from app.views import trace
 from app.views.force import ForceView
 from app.views.iterations import IterationsView
+from app.views.style import Horizontal
 from app.views.trace import POINTS, Trace, extremes
 from tyrecontact.results import FIELDS, SCALARS, Record
 from tyrecontact.steps import Step
@@ -81,6 +82,35 @@ def test_an_end_that_comes_twice_adds_nothing() -> None:
     assert len(found.source.data["force"]) == 3
 
 
+@pytest.mark.parametrize(
+    ("axis", "low", "high"), [("time_ms", 99.995, 120.005), ("indentation_um", 9.9995, 12.0005)]
+)
+def test_a_part_of_a_run_that_has_ended_is_shown_in_full(
+    axis: str, low: float, high: float
+) -> None:
+    found, _ = followed(LONG, 64)
+    before = np.asarray(found.source.data["force"])
+    found.look(axis, low, high)
+    place = np.asarray(found.source.data[axis])
+    inside = (place >= low) & (place <= high)
+    expected = columns(LONG)["contact_force"][10_000:12_001]
+    np.testing.assert_array_equal(np.asarray(found.source.data["force"])[inside], expected)
+    assert len(before) < place.size <= 2 * POINTS
+    assert np.all(np.diff(place) > 0)
+    found.look(axis, -1.0, 1e9)  # all of it: as much as there is room for
+    force = np.asarray(found.source.data["force"])
+    assert force.size <= 2 * POINTS
+    assert (force.max(), force.min()) == (9, -9)
+
+
+def test_a_run_under_way_is_not_looked_into() -> None:
+    found = Trace("force", "contact_force")
+    found.update(columns(LONG), np.arange(LONG), False)
+    before = found.source.data
+    found.look("time_ms", 0.0, 1.0)
+    assert found.source.data is before
+
+
 def test_nothing_is_drawn_of_no_rows() -> None:
     found = Trace("force", "contact_force")
     found.update(columns(10), np.arange(0), True)
@@ -114,3 +144,8 @@ def test_both_plots_draw_a_long_run_lightly() -> None:
         assert POINTS / 4 < len(source.data["time_ms"]) <= POINTS + 2
     last = [source.data["time_ms"][-1] for source in (force.source, force.failed)]
     np.testing.assert_allclose(last, (LONG - 1) * 1e-2)
+    for view in (force, iterations):
+        view.show_against(Horizontal("time_ms", "Time [ms]", (99.995, 110.005)))
+        view.look()
+        shown = np.asarray(view.source.data["time_ms"])
+        assert np.count_nonzero((shown > 99.995) & (shown < 110.005)) == 1001

@@ -7,6 +7,7 @@ import sys
 import threading
 import tracemalloc
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -80,6 +81,25 @@ def test_what_fits_is_kept_as_it_is_without_a_copy() -> None:
         assert np.shares_memory(found.columns[name], record.columns[name])
 
 
+@pytest.mark.parametrize("rows", [2, 3, 7, 8])
+@pytest.mark.parametrize("steps", [9, 15, 16, 17, 31, 50])
+def test_a_run_at_its_end_is_handed_out_without_a_copy(rows: int, steps: int) -> None:
+    whole = recorded(steps, rows)
+    broken = Record(100, SHAPE, rows * ROW)
+    for index in range(steps):
+        broken.append(replace(step(index), stop_reason="broken" if index == steps - 1 else ""))
+    for record in (whole, broken):
+        found = collected(record)
+        assert np.shares_memory(found.age, record.columns["age"])
+        assert found.field_steps[-1] == steps - 1
+        np.testing.assert_array_equal(found.element_force[:, 0, 0], found.field_steps)
+        assert record.fields(-1)[0] == steps - 1
+        assert np.all(record.fields(-1)[1]["element_force"] == steps - 1)
+    left = recorded(steps, rows, of=100)  # more might come
+    np.testing.assert_array_equal(collected(left).field_steps, collected(whole).field_steps)
+    np.testing.assert_array_equal(collected(left).age, collected(whole).age)
+
+
 @pytest.mark.parametrize("memory", [0.0, 1.0, 2 * ROW])
 def test_without_memory_the_first_and_the_last_are_kept(memory: float) -> None:
     record = Record(1000, SHAPE, memory)
@@ -103,7 +123,8 @@ def test_memory_does_not_grow_with_the_length_of_a_run() -> None:
     tracemalloc.stop()
     fields = sum(record.columns[name].nbytes for name in FIELDS)
     numbers = sum(record.columns[name].nbytes for name in ("time", *SCALARS))
-    assert fields <= budget < steps * ROW / 10  # of 13 MB that there were
+    # of 13 MB that there were; a row for the last step beside them
+    assert fields <= budget + ROW < steps * ROW / 10
     # old and new rows while they are thinned, or rows and what was collected of them
     assert peak < 2 * budget + numbers + 100_000
     assert sum(results.columns[name].nbytes for name in FIELDS) <= budget + ROW
@@ -226,6 +247,6 @@ def test_a_file_gives_back_thinned_fields(thin: Results, tmp_path: Path, engine:
 
 def test_a_table_takes_no_memory_that_it_has_no_use_for() -> None:
     assert len(FieldTable.empty(10, SHAPE, 1e9).columns["age"]) == 10
-    assert len(FieldTable.empty(10_000, SHAPE, 100.5 * ROW).columns["age"]) == 100
+    assert len(FieldTable.empty(10_000, SHAPE, 100.5 * ROW).columns["age"]) == 100 + 1
     bytes_of_a_row = sum(c.nbytes for c in FieldTable.empty(1, SHAPE, 1e9).columns.values())
     assert bytes_of_a_row == ROW

@@ -14,7 +14,7 @@ more memory (`numerics.field_memory`), or iterates the simulation, which hands o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -30,12 +30,16 @@ class FieldTable:
 
     Attributes
     ----------
-    columns : name -> array, shape (capacity, ny, nx), as in `FIELDS`.
+    columns : name -> array, shape (rows, ny, nx), as in `FIELDS`.
+    capacity : rows until it is full; in one that may become full there is one more.
     stride : steps from one row to the next.
+    behind : number of the last step of the run, if it has the row behind the others.
     """
 
     columns: dict[str, np.ndarray]
+    capacity: int
     stride: int = 1
+    behind: int | None = None
 
     @classmethod
     def empty(cls, steps: int, shape: tuple[int, int], memory: float) -> FieldTable:
@@ -44,29 +48,29 @@ class FieldTable:
         While rows are thinned, up to twice that is in use for a moment.
         """
         fitting = int(memory // (shape[0] * shape[1] * _BYTES))
-        rows = min(steps, max(fitting, 2))
-        return cls({name: np.zeros((rows, *shape), kind) for name, (*_, kind) in FIELDS.items()})
+        capacity = min(steps, max(fitting, 2))
+        whole = (capacity + (capacity < steps), *shape)
+        return cls({n: np.zeros(whole, kind) for n, (*_, kind) in FIELDS.items()}, capacity)
 
-    def with_step(self, index: int, step: Step) -> FieldTable:
+    def with_step(self, index: int, step: Step, final: bool) -> FieldTable:
         """This table after step number `index`; where it was full, a new one.
 
-        Who reads meanwhile has the one or the other, both whole.
+        Who reads meanwhile has the one or the other, both whole. No step comes after a `final`
+        one.
         """
         table = self
-        while index % table.stride == 0 and index // table.stride >= table._capacity:
+        while index % table.stride == 0 and index // table.stride >= table.capacity:
             table = table._thinned()
-        if index % table.stride == 0:
-            for name, column in table.columns.items():
-                column[index // table.stride] = getattr(step, name)
-        return table
+        if index % table.stride and not final:
+            return table
+        for name, column in table.columns.items():
+            column[-(-index // table.stride)] = getattr(step, name)
+        return replace(table, behind=index) if index % table.stride else table
 
     def steps(self, count: int) -> np.ndarray:
-        """Numbers of the first `count` steps that have a row, shape (rows,)."""
-        return np.arange(0, count, self.stride)
-
-    @property
-    def _capacity(self) -> int:
-        return len(next(iter(self.columns.values())))
+        """Numbers of those among the first `count` steps that have a row, shape (rows,)."""
+        rows = np.arange(0, count, self.stride)
+        return rows if self.behind is None else np.append(rows, self.behind)
 
     def _thinned(self) -> FieldTable:
         """Every second row, in arrays of the same capacity."""
@@ -74,8 +78,9 @@ class FieldTable:
         for name, column in self.columns.items():
             # not zeros_like, which would touch all of it: what is not written takes no memory
             columns[name] = np.zeros(column.shape, column.dtype)
-            columns[name][: -(-len(column) // 2)] = column[::2]
-        return FieldTable(columns, 2 * self.stride)
+            kept = column[: self.capacity : 2]
+            columns[name][: len(kept)] = kept
+        return FieldTable(columns, self.capacity, 2 * self.stride)
 
 
 @dataclass(frozen=True)
@@ -92,13 +97,14 @@ class Moment:
     table: FieldTable
     last: Step | None = None
 
-    def after(self, step: Step) -> Moment:
-        return Moment(self.count + 1, self.table.with_step(self.count, step), step)
+    def after(self, step: Step, final: bool) -> Moment:
+        return Moment(self.count + 1, self.table.with_step(self.count, step, final), step)
 
     @property
     def ends_on_row(self) -> bool:
         """Whether the last step, if any, has a row in the table."""
-        return self.count == 0 or (self.count - 1) % self.table.stride == 0
+        last = self.count - 1
+        return last < 0 or last % self.table.stride == 0 or last == self.table.behind
 
     def steps(self) -> np.ndarray:
         """Numbers of the steps whose fields are kept, the last one included; shape (rows,)."""
@@ -108,7 +114,7 @@ class Moment:
     def columns(self) -> dict[str, np.ndarray]:
         """Name -> array, shape (rows, ny, nx), one row for each of `steps`.
 
-        A view where that can be; a copy where the last step has to be put behind the rows.
+        Views; but copies where the run was left at a step that has no row.
         """
         rows = len(self.table.steps(self.count))
         views = {name: column[:rows] for name, column in self.table.columns.items()}

@@ -71,7 +71,8 @@ class Record:
         for name, column in self._numbers.items():
             column[now.count] = getattr(step, name)
         self.stop_reason = step.stop_reason
-        self._now = now.after(step)
+        final = bool(step.stop_reason) or now.count + 1 == len(self._numbers["time"])
+        self._now = now.after(step, final)
 
     def fields(self, step: int) -> tuple[int, dict[str, np.ndarray]]:
         """Fields of a step, or of the nearest one kept: its number; name -> shape (ny, nx).

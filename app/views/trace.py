@@ -65,7 +65,8 @@ class Trace:
         if chosen.size:
             self._last = int(chosen[-1])
         if ended:
-            self._whole_run = columns, rows
+            needed = ("time", "indentation", self._column)  # not the maps, which are large
+            self._whole_run = {name: columns[name] for name in needed}, rows
 
     def look(self, axis: str, low: float, high: float) -> None:
         """Of a run that has ended: every step from `low` to `high` on an axis, a column of the

@@ -19,6 +19,8 @@ from .views.style import horizontal
 
 #: milliseconds between two looks at what the solver has left
 FRAME = 50
+#: milliseconds from a change of what a plot shows until a long run is drawn in full there
+_LOOK = 200
 #: label -> least duration of a run [s]
 PACES = {"as fast as it can": 0.0, "in about 6 s": 6.0, "in about 20 s": 20.0}
 
@@ -56,6 +58,10 @@ class Session:
         self.root = self._layout()
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
         self._clock: Any = None
+        self._looking = False
+        for view in (self.force, self.iterations):
+            view.root.x_range.on_change("start", self._look_soon)
+            view.root.x_range.on_change("end", self._look_soon)
         pn.state.on_session_destroyed(lambda _: self.close())
 
     def start(self) -> None:
@@ -99,7 +105,7 @@ class Session:
         if run.simulation is not None and not self._prepared:
             self._prepare_views(run)
         if self._prepared:
-            self._draw(run)
+            self._draw(run, ended)
         self.headline.update(run)
         if ended:
             self._stop_clock()
@@ -130,17 +136,28 @@ class Session:
         self.iterations.reset(self.run.scenario.numerics.max_iterations)
         self.contact_map.clear()
 
-    def _draw(self, run: Run) -> None:
+    def _draw(self, run: Run, ended: bool) -> None:
         assert run.simulation is not None
         assert run.record is not None
         low, high = self._drawn, run.record.count
-        if high == low:
+        if high == 0 or (high == low and not ended):
             return
-        self.force.update(run.record, low, high)
-        self.iterations.update(run.record, low, high)
+        self.force.update(run.record, low, high, ended)
+        self.iterations.update(run.record, low, high, ended)
         self.contact_map.show(run.record, high - 1, run.simulation.kernel.spacing)
         self.progress.value = round(100 * high / len(run.simulation))
         self._drawn = high
+
+    def _look_soon(self, _attribute: str, _old: Any, _new: Any) -> None:
+        """A plot shows another range; not every pixel of a drag is worth an answer."""
+        if self._document is not None and not self._looking:
+            self._looking = True
+            self._document.add_timeout_callback(self._look, _LOOK)
+
+    def _look(self) -> None:
+        self._looking = False
+        for view in (self.force, self.iterations):
+            view.look()
 
     def _darken(self, dark: bool) -> None:
         for view in (self.force, self.iterations):

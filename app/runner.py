@@ -152,7 +152,8 @@ class Run:
         baseline = _baseline(simulation, self._stop)
         if baseline is None:
             return False
-        self.record = Record(len(simulation), simulation.bodies.kernel.shape)
+        memory = simulation.scenario.numerics.field_memory
+        self.record = Record(len(simulation), simulation.bodies.kernel.shape, memory)
         self.baseline = baseline
         self.simulation = simulation
         return True
@@ -197,11 +198,11 @@ def _baseline(simulation: Simulation, stop: threading.Event) -> Baseline | None:
 
 def _run_at_rest(simulation: Simulation, stop: threading.Event) -> Baseline | None:
     still = simulation.quasi_static(BASELINE_STEPS)
-    record = Record(len(still), simulation.bodies.kernel.shape)
+    record, peak = Record(len(still), simulation.bodies.kernel.shape, field_memory=0.0), 0.0
     for step in still:
         if stop.is_set():
             return None
         record.append(step)
+        peak = max(peak, float(step.element_force.max()))
     results = still.collect(record)
-    peak = float(results.element_force.max(initial=0.0))
     return Baseline(results.time, results.indentation, results.contact_force, peak)

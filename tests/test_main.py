@@ -134,6 +134,18 @@ def test_the_output_is_the_run(capsys: Capture, tmp_path: Path, quick: Scenario)
         xr.testing.assert_equal(found, Simulation(quick).run().to_xarray())
 
 
+def test_an_output_whose_maps_are_thinned_says_so(capsys: Capture, tmp_path: Path) -> None:
+    output = tmp_path / "run.nc"
+    memory = f"numerics.field_memory={20 * 36 * 33}"  # of 51 steps
+    assert main(quickly("default", "--json", "--output", str(output), "--set", memory)) == 0
+    out, err = capsys.readouterr()
+    assert json.loads(out)["steps"] == 51
+    assert err.startswith("tyrecontact: maps of every 4 steps and of the last are in ")
+    with xr.open_dataset(output) as found:
+        assert found["field_step"].to_numpy().tolist() == [*range(0, 49, 4), 50]
+        assert found.sizes["time"] == 51
+
+
 @pytest.mark.usefixtures("_never_run")
 @pytest.mark.parametrize(
     ("arguments", "part"),

@@ -15,7 +15,6 @@ import xarray as xr
 
 from tyrecontact import Results, Scenario, Simulation
 from tyrecontact.contact.bonds import ElementState
-from tyrecontact.errors import InputError
 from tyrecontact.results import FIELDS, SCALARS, Record
 
 VARIABLES = {
@@ -241,11 +240,6 @@ def test_a_run_stopped_at_its_beginning_has_a_summary_and_a_data_set(
     assert found.summary()["final_stiffness"] is None
     assert found.failed_at is None
     json.dumps(found.summary(), allow_nan=False)
-
-
-def test_a_run_too_large_to_keep_is_refused_before_it_begins() -> None:
-    with pytest.raises(InputError, match=r"at most 4 GB of fields, got .* \(1000 steps of 999 x"):
-        Record(1000, (999, 999))
 
 
 def test_rows_are_readable_while_the_run_goes_on(quick: Scenario) -> None:

@@ -30,6 +30,7 @@ SHOWN = {
     "N/s": {"N/s": 1, "N/ms": 1e-3},
     "Pa": {"Pa": 1, "MPa": 1e-6, "GPa": 1e-9},
     "Hz": {"Hz": 1, "kHz": 1e-3},
+    "B": {"B": 1, "MB": 1e-6},
 }
 HUGE = 10**400  # larger than any float
 

@@ -166,6 +166,13 @@ def _run(options: argparse.Namespace) -> None:
     print(json.dumps(summary) if options.json else _in_words(summary))
     if options.output is not None:
         write_whole(options.output, results.to_xarray().to_netcdf)
+        if results.kept is not None:
+            every = results.kept[1] - results.kept[0]
+            print(
+                f"tyrecontact: maps of every {every} steps and of the last are in {options.output} "
+                "(numerics.field_memory)",
+                file=sys.stderr,
+            )
 
 
 def _scenario(name: str) -> Scenario:

@@ -10,7 +10,8 @@ import numpy as np
 
 from tyrecontact import key_figures
 from tyrecontact.contact.bonds import ElementState
-from tyrecontact.errors import InputError
+from tyrecontact.fields import FieldTable, Moment, nearest
+from tyrecontact.parts.process import Numerics
 from tyrecontact.scenario import Scenario
 from tyrecontact.steps import FIELDS, SCALARS, Step
 
@@ -19,56 +20,75 @@ if TYPE_CHECKING:
 
 #: how a run ends that did not fail
 COMPLETED, STOPPED = "completed", "stopped by the user"
-#: a run that keeps more than this is refused before it starts
-MAX_BYTES = 4_000_000_000
+#: for the fields of a run, unless its scenario says otherwise [B]
+FIELD_MEMORY: float = Numerics().field_memory
 
 
 class Record:
-    """Rows of a run in preallocated arrays; `count` is raised last, so that readers may look on.
+    """Rows of a run: every number of every step, and fields as far as memory is given for them.
+
+    One thread appends and others may look on: what was recorded at a moment takes the place of
+    the moment before in one assignment, after its rows are written.
+
+    Parameters
+    ----------
+    steps : of the complete run.  shape : of its elements, (ny, nx).
+    field_memory : for the fields [B]; a run that has more keeps those of every 2nd, 4th, ...
+        step and of the last (see `fields`).
 
     Attributes
     ----------
     count : number of steps recorded.
-    columns : name -> array, first axis the steps; rows from `count` on are not written yet.
+    columns : name -> array. Of `time` and `SCALARS` row n is step n; of `FIELDS` it is step
+        n x `field_stride`. Rows from `count` on are not written yet.
+    field_stride : steps from one row of the fields to the next; 1 as long as all of them fit.
     stop_reason : why the run ended early, or empty.
-
-    Raises
-    ------
-    InputError : more than `MAX_BYTES` would have to be kept.
     """
 
-    def __init__(self, steps: int, shape: tuple[int, int]) -> None:
-        size = (
-            steps
-            * shape[0]
-            * shape[1]
-            * sum(np.dtype(kind).itemsize for *_, kind in FIELDS.values())
-        )
-        if size > MAX_BYTES:
-            raise InputError(
-                f"a run must keep at most {MAX_BYTES / 1e9:.0f} GB of fields, got "
-                f"{size / 1e9:.1f} GB ({steps} steps of {shape[0]} x {shape[1]} elements)"
-            )
-        self.count = 0
+    def __init__(
+        self, steps: int, shape: tuple[int, int], field_memory: float = FIELD_MEMORY
+    ) -> None:
         self.stop_reason = ""
-        self.columns = {"time": np.zeros(steps)}
+        self._numbers = {"time": np.zeros(steps)}
         for name, (_, _, kind) in SCALARS.items():
-            self.columns[name] = np.zeros(steps, kind)
-        for name, (_, _, kind) in FIELDS.items():
-            self.columns[name] = np.zeros((steps, *shape), kind)
+            self._numbers[name] = np.zeros(steps, kind)
+        self._now = Moment(0, FieldTable.empty(steps, shape, field_memory))
+
+    @property
+    def count(self) -> int:
+        return self._now.count
+
+    @property
+    def columns(self) -> dict[str, np.ndarray]:
+        return {**self._numbers, **self._now.table.columns}
+
+    @property
+    def field_stride(self) -> int:
+        return self._now.table.stride
 
     def append(self, step: Step) -> None:
-        for name, column in self.columns.items():
-            column[self.count] = getattr(step, name)
+        now = self._now
+        for name, column in self._numbers.items():
+            column[now.count] = getattr(step, name)
         self.stop_reason = step.stop_reason
-        self.count += 1
+        final = bool(step.stop_reason) or now.count + 1 == len(self._numbers["time"])
+        self._now = now.after(step, final)
+
+    def fields(self, step: int) -> tuple[int, dict[str, np.ndarray]]:
+        """Fields of a step, or of the nearest one kept: its number; name -> shape (ny, nx).
+
+        -1 is the last step, whose fields are always there. IndexError : no such step.
+        """
+        return self._now.near(step)
 
     def results(self, scenario: Scenario, spacing: float, stop_reason: str = "") -> Results:
         """What was recorded so far; later rows do not reach it."""
-        count = self.count  # once: a thread may be raising it
-        columns = {name: column[:count] for name, column in self.columns.items()}
+        now = self._now  # once: a thread may be replacing it
+        columns = {name: column[: now.count] for name, column in self._numbers.items()}
+        columns.update(now.columns())
         reason = stop_reason or self.stop_reason or COMPLETED
-        return Results(scenario, spacing, columns, reason)
+        kept = None if now.table.stride == 1 else now.steps()
+        return Results(scenario, spacing, columns, reason, kept)
 
 
 @dataclass(frozen=True)
@@ -81,12 +101,16 @@ class Results:
     spacing : side of an element [m].
     columns : name -> array with the steps first: `time` [s], `SCALARS` and `FIELDS`.
     stop_reason : `COMPLETED`, `STOPPED`, or why the run had to end early.
+    kept : numbers of the steps that the rows of `FIELDS` belong to, shape (rows,), in a run that
+        has more fields than `numerics.field_memory` takes; None where each step has its row.
+        `fields(step)` finds the row.
     """
 
     scenario: Scenario
     spacing: float
     columns: dict[str, np.ndarray]
     stop_reason: str = COMPLETED
+    kept: np.ndarray | None = None
 
     def __getattr__(self, name: str) -> np.ndarray:
         try:
@@ -96,6 +120,19 @@ class Results:
 
     def __len__(self) -> int:
         return len(self.columns["time"])
+
+    @property
+    def field_steps(self) -> np.ndarray:
+        """Numbers of the steps whose fields are kept, shape (rows,)."""
+        return np.arange(len(self)) if self.kept is None else self.kept
+
+    def fields(self, step: int) -> tuple[int, dict[str, np.ndarray]]:
+        """Fields of a step, or of the nearest one kept: its number; name -> shape (ny, nx).
+
+        -1 is the last step, whose fields are always there. IndexError : no such step.
+        """
+        row, number = nearest(self.field_steps, step, len(self))
+        return number, {name: self.columns[name][row] for name in FIELDS}
 
     @property
     def failed_at(self) -> int | None:
@@ -163,7 +200,11 @@ class Results:
         return {"step": step, **found}
 
     def to_xarray(self) -> xr.Dataset:
-        """Dataset with dimensions time, y, x; units and long_name on every variable."""
+        """Dataset with dimensions time, y, x; units and long_name on every variable.
+
+        Fields that are not kept of all steps have the dimension field_time in the place of time,
+        and `field_step` numbers their steps: nothing is filled up with what was not kept.
+        """
         import xarray as xr  # a third of a second that a run without files need not wait for
 
         ny, nx = self.columns["element_force"].shape[1:]
@@ -183,11 +224,25 @@ class Results:
                 "scenario": json.dumps(self.scenario.to_dict()),
             },
         )
+        if self.kept is not None:
+            dataset = dataset.assign_coords(self._field_times(self.kept))
+        at = "time" if self.kept is None else "field_time"
         for name, (unit, meaning, _) in {**SCALARS, **FIELDS}.items():
-            dimensions = ("time", "y", "x")[: self.columns[name].ndim]
+            dimensions = (at, "y", "x") if name in FIELDS else ("time",)
             attributes = {"units": unit, "long_name": meaning}
             dataset[name] = (dimensions, self.columns[name], attributes)
         dataset["drive"].attrs["units"] = "N" if self.scenario.loading.drive == "force" else "m"
         dataset["state"].attrs["flag_values"] = np.array(list(ElementState), np.int8)
         dataset["state"].attrs["flag_meanings"] = " ".join(s.name.lower() for s in ElementState)
         return dataset
+
+    def _field_times(self, kept: np.ndarray) -> dict[str, Any]:
+        times, numbers = self.columns["time"][kept], kept.astype(np.int32)
+        return {
+            "field_time": (
+                "field_time", times, {"units": "s", "long_name": "Time, where fields were kept"}
+            ),
+            "field_step": (
+                "field_time", numbers, {"units": "1", "long_name": "Number of the step, from 0"}
+            ),
+        }  # fmt: skip

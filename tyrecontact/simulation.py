@@ -87,9 +87,10 @@ class Simulation:
     def run(self, progress: Callable[[Iterable[Step]], Iterable[Step]] = iter) -> Results:
         """Run to the end. Ctrl-C ends the run and keeps what was computed.
 
-        `progress` wraps the loop, as `tqdm` does.
+        `progress` wraps the loop, as `tqdm` does. Numbers are kept of all steps, fields as many
+        as `numerics.field_memory` takes.
         """
-        record = Record(len(self), self.bodies.kernel.shape)
+        record = Record(len(self), self.bodies.kernel.shape, self.scenario.numerics.field_memory)
         reason = ""
         try:
             for step in progress(self):

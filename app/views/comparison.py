@@ -10,6 +10,7 @@ from bokeh.models import ColumnDataSource, HoverTool, Range1d
 from bokeh.plotting import figure
 
 from .style import BLUE, GREY, ORANGE, VERMILION, plot
+from .trace import extremes
 
 #: Okabe and Ito's, in the order in which they tell lines apart best
 COLORS = (BLUE, VERMILION, "#009E73", ORANGE, "#CC79A7", "#56B4E9")
@@ -105,10 +106,8 @@ def thinned(x: np.ndarray, y: np.ndarray, points: int = _POINTS) -> tuple[np.nda
     """At most about `points` of a curve, the least and the largest of each stretch among them."""
     if x.size <= points:
         return x, y
-    kept = {0, x.size - 1}
-    for stretch in np.array_split(np.arange(x.size), points // 2):
-        kept |= {int(stretch[y[stretch].argmin()]), int(stretch[y[stretch].argmax()])}
-    chosen = np.array(sorted(kept))
+    kept = extremes(y, -(-2 * x.size // points))
+    chosen = np.union1d(kept, [0, x.size - 1])
     return x[chosen], y[chosen]
 
 

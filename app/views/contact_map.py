@@ -68,10 +68,12 @@ class ContactMapView:
         self.mapper.high = 1.2 * peak_force or 1.0
         self._marks.glyph.size = max(3.0, 180 / elements)
 
-    def show(self, record: Record, row: int, spacing: float) -> None:
-        """Show one step of the record; elements of side `spacing` [m]."""
-        force = record.columns["element_force"][row]
-        state = record.columns["state"][row]
+    def show(self, record: Record, step: int, spacing: float) -> None:
+        """Show a step of the record, or the nearest whose fields are kept; elements of side
+        `spacing` [m].
+        """
+        _, fields = record.fields(step)
+        force, state = fields["element_force"], fields["state"]
         pressed = np.where(state == ElementState.COMPRESSED, force, np.nan)
         self.image.data = {"force": [pressed], "side": [len(force) * spacing * 1e3]}
         row_index, column_index = np.nonzero(state == ElementState.TENSION)

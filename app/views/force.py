@@ -9,6 +9,7 @@ from tyrecontact.results import Record
 
 from ..runner import Baseline
 from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
+from .trace import Trace
 
 _COLUMNS = ("time_ms", "indentation_um", "force")
 #: vertical range before the first run [N]
@@ -19,8 +20,9 @@ class ForceView:
     """Attributes: `root` a Bokeh figure; `source`, `failed`, `baseline` what it draws."""
 
     def __init__(self) -> None:
-        self.source = ColumnDataSource({name: [] for name in _COLUMNS}, name="force")
-        self.failed = ColumnDataSource({name: [] for name in _COLUMNS})
+        self._all = Trace("force", "contact_force", "force")
+        self._bad = Trace("force", "contact_force")
+        self.source, self.failed = self._all.source, self._bad.source
         self.baseline = ColumnDataSource({name: [] for name in _COLUMNS})
         self.root = plot("Contact force", "Force [N]", height=370, top=_TOP)
         self._glyphs = []
@@ -52,13 +54,20 @@ class ForceView:
         """Change the horizontal axis."""
         put_on(self.root, self._glyphs, axis)
 
+    def look(self) -> None:
+        """Show in full what of a long run the horizontal range has been narrowed to."""
+        span, axis = self.root.x_range, self._glyphs[-1].glyph.x
+        for points in (self._all, self._bad):
+            points.look(axis, span.start, span.end)
+
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
         self._run.glyph.line_color = RUN_COLOR[dark]
 
     def reset(self) -> None:
-        for source in (self.source, self.failed, self.baseline):
-            source.data = {name: [] for name in _COLUMNS}
+        self._all.clear()
+        self._bad.clear()
+        self.baseline.data = {name: [] for name in _COLUMNS}
         self._failed_entry.visible = False
 
     def compare_with(self, baseline: Baseline) -> None:
@@ -71,25 +80,19 @@ class ForceView:
         force = baseline.contact_force
         self.root.y_range.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max())
 
-    def update(self, record: Record, low: int, high: int) -> None:
-        """Add rows low .. high - 1."""
+    def update(self, record: Record, low: int, high: int, ended: bool = False) -> None:
+        """Add rows low .. high - 1; `ended` where no more will come."""
         columns = record.columns
-        rows = {
-            "time_ms": columns["time"][low:high] * 1e3,
-            "indentation_um": columns["indentation"][low:high] * 1e6,
-            "force": columns["contact_force"][low:high],
-        }
-        self.source.stream(rows)
-        self._make_room_for(rows["force"])
-        bad = columns["converged"][low:high] == 0
-        if bad.any():
-            self._failed_entry.visible = True
-            self.failed.stream({name: np.asarray(values)[bad] for name, values in rows.items()})
+        self._all.update(columns, np.arange(high), ended)
+        self._make_room_for(columns["contact_force"][low:high])
+        bad = np.flatnonzero(columns["converged"][:high] == 0)
+        self._failed_entry.visible = bad.size > 0
+        self._bad.update(columns, bad, ended)
 
     def _make_room_for(self, force: np.ndarray) -> None:
         """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""
         span = self.root.y_range
-        if force.max() > span.end:
+        if force.max(initial=span.end) > span.end:
             span.end = 1.5 * float(force.max())
-        if force.min() < span.start:
+        if force.min(initial=span.start) < span.start:
             span.start = 1.5 * float(force.min())

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from bokeh.models import ColumnDataSource, Span
+import numpy as np
+from bokeh.models import Span
 
 from tyrecontact.results import Record
 
 from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
+from .trace import Trace
 
-_COLUMNS = ("time_ms", "indentation_um", "iterations")
 #: vertical range at first, if more iterations than that are allowed
 _SHOWN = 10
 
@@ -17,8 +18,9 @@ class IterationsView:
     """Attributes: `root` a Bokeh figure; `source`, `failed` what it draws."""
 
     def __init__(self) -> None:
-        self.source = ColumnDataSource({name: [] for name in _COLUMNS}, name="iterations")
-        self.failed = ColumnDataSource({name: [] for name in _COLUMNS})
+        self._all = Trace("iterations", "iterations", "iterations")
+        self._bad = Trace("iterations", "iterations")
+        self.source, self.failed = self._all.source, self._bad.source
         self.root = plot("Newton iterations a step", "Iterations", height=230, top=11)
         self.limit = Span(dimension="width", location=10, line_color=GREY, line_dash="dashed")
         self.root.add_layout(self.limit)
@@ -39,26 +41,26 @@ class IterationsView:
         """Change the horizontal axis."""
         put_on(self.root, self._glyphs, axis)
 
+    def look(self) -> None:
+        """Show in full what of a long run the horizontal range has been narrowed to."""
+        span, axis = self.root.x_range, self._glyphs[-1].glyph.x
+        for points in (self._all, self._bad):
+            points.look(axis, span.start, span.end)
+
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
         self._glyphs[0].glyph.line_color = RUN_COLOR[dark]
 
     def reset(self, max_iterations: int) -> None:
-        for source in (self.source, self.failed):
-            source.data = {name: [] for name in _COLUMNS}
+        self._all.clear()
+        self._bad.clear()
         self.limit.location = max_iterations
         self.root.y_range.end = 1.1 * min(max_iterations, _SHOWN)
 
-    def update(self, record: Record, low: int, high: int) -> None:
-        """Add rows low .. high - 1."""
+    def update(self, record: Record, low: int, high: int, ended: bool = False) -> None:
+        """Add rows low .. high - 1; `ended` where no more will come."""
         columns = record.columns
-        rows = {
-            "time_ms": columns["time"][low:high] * 1e3,
-            "indentation_um": columns["indentation"][low:high] * 1e6,
-            "iterations": columns["iterations"][low:high],
-        }
-        self.source.stream(rows)
-        self.root.y_range.end = max(self.root.y_range.end, 1.1 * rows["iterations"].max())
-        bad = columns["converged"][low:high] == 0
-        if bad.any():
-            self.failed.stream({name: values[bad] for name, values in rows.items()})
+        self._all.update(columns, np.arange(high), ended)
+        span = self.root.y_range
+        span.end = max(span.end, 1.1 * columns["iterations"][low:high].max(initial=0))
+        self._bad.update(columns, np.flatnonzero(columns["converged"][:high] == 0), ended)

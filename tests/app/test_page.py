@@ -9,6 +9,7 @@ import pytest
 
 from app.page import Session
 from app.runner import Phase
+from app.views import trace
 from tyrecontact import Scenario
 
 
@@ -38,6 +39,24 @@ def test_a_run_is_drawn_row_by_row_to_its_end(session: Session) -> None:
     assert len(session.iterations.source.data["iterations"]) == len(force)
     assert session.progress.value == 100
     assert session.stop_button.disabled
+
+
+def test_a_run_with_more_than_is_kept_and_drawn_is_shown_to_its_end(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(trace, "POINTS", 20)
+    session.controls.widgets["numerics.field_memory"].value = 10 * 36 * 33e-6  # MB, of 52 steps
+    session.start()
+    _frames_until_the_end(session)
+    record, results = session.run.record, session.run.results()
+    assert record.field_stride > 1
+    force = np.asarray(session.force.source.data["force"])
+    assert len(force) <= 22
+    assert (force.max(), force[-1]) == (results.contact_force.max(), results.contact_force[-1])
+    drawn = session.contact_map.image.data["force"][0]
+    last = record.fields(-1)[1]["element_force"]
+    np.testing.assert_array_equal(drawn[last > 0], last[last > 0])
+    assert session.headline.sentence == f"Complete, {record.count} steps: all converged."
 
 
 def test_a_second_run_supersedes_the_first_and_nothing_of_it_is_drawn(session: Session) -> None:

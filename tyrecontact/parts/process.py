@@ -143,3 +143,8 @@ class Numerics(Part):
         ["quasi-static", "stepped"],
         "A hold that outlasts the kernel's memory: at rest in growing steps, or step by step",
     )
+    field_memory = Quantity(
+        100e6, (0.0, 4e9), "B",
+        "For maps of the elements: full, every second one goes; 0: first and last alone",
+        ("MB", 1e-6),
+    )  # fmt: skip

@@ -7,9 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tyrecontact.results import COMPLETED, Results
+from tyrecontact.results import Record, Results
 from tyrecontact.scenario import Scenario
 from tyrecontact.simulation import Simulation
 from tyrecontact.steps import SCALARS, Step
@@ -35,28 +33,23 @@ AFTER_FAILURE = 300
 def run(settings: Mapping[str, Any]) -> Results:
     """Results, without fields, of the scenario with these settings (`Scenario.to_dict`)."""
     simulation = Simulation(Scenario(**settings))
-    steps = list(_needed(simulation))
-    # one row a step: kept apart from the fields, which would be gigabytes
-    columns = {name: np.array([row[name] for row in steps]) for name in ("time", *KEPT)}
-    reason = steps[-1]["stop_reason"] if steps else ""
-    return Results(
-        simulation.scenario, simulation.kernel.spacing, columns, str(reason) or COMPLETED
-    )
+    record = Record(len(simulation), simulation.bodies.kernel.shape, field_memory=0.0)
+    for step in _needed(simulation):
+        record.append(step)
+    whole = simulation.collect(record)
+    columns = {name: whole.columns[name] for name in ("time", *KEPT)}
+    return Results(whole.scenario, whole.spacing, columns, whole.stop_reason)
 
 
-def _needed(simulation: Simulation) -> Iterator[dict[str, Any]]:
-    """Rows until road and tread have parted, or until the failure has been seen."""
+def _needed(simulation: Simulation) -> Iterator[Step]:
+    """Steps until road and tread have parted, or until the failure has been seen."""
     touched, failed = False, 0
     for step in simulation:
-        yield _row(step)
+        yield step
         touched = touched or step.contacts > 0
         failed += bool(failed or not step.converged)
         if failed > AFTER_FAILURE or (touched and step.contacts == 0):
             return
-
-
-def _row(step: Step) -> dict[str, Any]:
-    return {name: getattr(step, name) for name in ("time", *KEPT, "stop_reason")}
 
 
 def to_dataset(results: Results) -> xr.Dataset:

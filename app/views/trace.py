@@ -1,0 +1,107 @@
+"""A curve of a run of any length: no more points than a plot can show, the extremes among them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from bokeh.models import ColumnDataSource
+
+#: points of a curve at most: several for each pixel of a plot's width
+POINTS = 4000
+
+
+def extremes(values: np.ndarray, stretch: int) -> np.ndarray:
+    """Places of the least and the largest in each stretch of so many values, increasing."""
+    if stretch <= 2:
+        return np.arange(values.size)
+    whole = values.size // stretch * stretch
+    rows, begins = values[:whole].reshape(-1, stretch), np.arange(0, whole, stretch)
+    found = [begins + rows.argmin(axis=1), begins + rows.argmax(axis=1)]
+    if whole < values.size:
+        rest = values[whole:]
+        found.append(np.array([whole + rest.argmin(), whole + rest.argmax()]))
+    return np.unique(np.concatenate(found))
+
+
+class Trace:
+    """Points of a run: time, indentation and a value.
+
+    A point for each step, up to `POINTS` of them. Then the curve is thinned by half, to the
+    extremes of stretches of steps, and grows on in such stretches; and so on. What is sent to the
+    browser so grows with the logarithm of the number of steps. Of a run that has ended `look`
+    shows a part in full.
+
+    Attributes
+    ----------
+    source : what is drawn, columns `time_ms`, `indentation_um` and `name`.
+    """
+
+    def __init__(self, name: str, column: str, title: str | None = None) -> None:
+        self._name, self._column = name, column
+        self.source = ColumnDataSource(name=title)
+        self.clear()
+
+    def clear(self) -> None:
+        self.source.data = {"time_ms": [], "indentation_um": [], self._name: []}
+        self._stretch, self._done, self._last = 1, 0, -1
+        self._whole_run: tuple[Mapping[str, np.ndarray], np.ndarray] | None = None
+
+    def update(self, columns: Mapping[str, np.ndarray], rows: np.ndarray, ended: bool) -> None:
+        """Follow a run whose steps to be drawn are now `rows`, increasing and so far the same.
+
+        The points of a stretch come when it is whole; those of the last one when the run ends.
+        """
+        chosen = self._chosen(columns, rows, ended)
+        if len(self.source.data["time_ms"]) + chosen.size > POINTS:
+            self._done = 0
+            while 2 * rows.size > 0.6 * POINTS * self._stretch:  # two a stretch, room to grow
+                self._stretch *= 2
+            chosen = np.union1d(rows[:1], self._chosen(columns, rows, ended))
+            self.source.data = self._points(columns, chosen)
+        elif chosen.size:
+            self.source.stream(self._points(columns, chosen))
+        self._done = self._whole(rows, ended)
+        if chosen.size:
+            self._last = int(chosen[-1])
+        if ended:
+            needed = ("time", "indentation", self._column)  # not the maps, which are large
+            self._whole_run = {name: columns[name] for name in needed}, rows
+
+    def look(self, axis: str, low: float, high: float) -> None:
+        """Of a run that has ended: every step from `low` to `high` on an axis, a column of the
+        source; or the extremes of stretches that are as short as there is room.
+        """
+        if self._whole_run is None or self._stretch == 1:
+            return
+        columns, rows = self._whole_run
+        place = self._points(columns, rows)[axis]
+        near = rows[(low <= place) & (place <= high)]
+        stretch = 1 if near.size <= POINTS else -(-2 * near.size // POINTS)
+        detail = near[extremes(columns[self._column][near], stretch)]
+        around = rows[extremes(columns[self._column][rows], self._stretch)]
+        ends = rows[[0, -1]]
+        shown = np.unique(np.concatenate([ends, around, detail]))
+        self.source.data = self._points(columns, shown)
+
+    def _whole(self, rows: np.ndarray, ended: bool) -> int:
+        return rows.size if ended else rows.size // self._stretch * self._stretch
+
+    def _chosen(
+        self, columns: Mapping[str, np.ndarray], rows: np.ndarray, ended: bool
+    ) -> np.ndarray:
+        """Steps among those of `rows` not looked at yet; at the end the last one, too."""
+        new = rows[self._done : self._whole(rows, ended)]
+        chosen = new[extremes(columns[self._column][new], self._stretch)]
+        if ended and rows.size and rows[-1] != (chosen[-1] if chosen.size else self._last):
+            chosen = np.append(chosen, rows[-1])
+        return chosen
+
+    def _points(
+        self, columns: Mapping[str, np.ndarray], chosen: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        return {
+            "time_ms": columns["time"][chosen] * 1e3,
+            "indentation_um": columns["indentation"][chosen] * 1e6,
+            self._name: columns[self._column][chosen],
+        }

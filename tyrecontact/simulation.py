@@ -217,10 +217,12 @@ class Simulation:
 
     def _contact_area(self, bonds: Bonds, touching: np.ndarray) -> np.ndarray:
         """Area of each contact [m2]: an adhering one keeps its largest."""
-        held = np.where(bonds.bonded, bonds.reach, np.maximum(bonds.compression, 0.0))
+        held = np.maximum(bonds.compression, 0.0)
+        np.copyto(held, bonds.reach, where=bonds.bonded)
         radius = self.springs.radius(held)
-        radius *= touching
-        return (np.pi * radius**2).astype(np.float32)
+        radius *= radius
+        area: np.ndarray = np.multiply(radius, np.pi * touching, dtype=np.float32)
+        return area
 
     def _reason_to_stop(self, index: int, equilibrium: Equilibrium, state: State) -> str:
         """Why a run must not go on after this step, or nothing."""

@@ -49,15 +49,19 @@ class ReleaseForce:
         return Mirrored(springs, bonds.bonded)
 
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
+        if not self._sticks:
+            return bonds.bonded
         return bonds.bonded & (-outcome.force > self.release_force)
 
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
-        bonded = bonds.bonded | (outcome.compression > 0)
-        return bonds.after(outcome, bonded & self._sticky)
+        bonded = bonds.bonded
+        if self._sticks:
+            bonded = (bonded | (outcome.compression > 0)) & (np.asarray(self.release_force) > 0)
+        return bonds.after(outcome, bonded)
 
     @cached_property
-    def _sticky(self) -> np.ndarray:
-        return np.asarray(self.release_force) > 0
+    def _sticks(self) -> bool:
+        return bool(np.any(np.asarray(self.release_force) > 0))
 
 
 def table_limits(springs: Springs, release_force: float, step: float) -> np.ndarray:

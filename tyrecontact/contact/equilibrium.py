@@ -125,7 +125,7 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
             break  # forces of a solve that failed break no bond
         bonds, guess = bonds.without(broken), solution.compression
     released = state.bonds.bonded & ~bonds.bonded
-    rigid = shared * solution.force.sum()
+    rigid = shared * solution.force.sum() if shared else 0.0
     displacement = past + solution.displacement - rigid
     held = float(solution.energy.sum())
     _move_on(bodies, state, moment, bonds, interface, outcome, displacement, free - rigid, held)

@@ -1,12 +1,13 @@
 """One quasi-static elastic contact by Tamaas, on the same grid and of the same share of contacts.
 
-Tamaas (L. Frerot et al., J. Open Source Softw. 5 (2020) 2121; AGPL) is a boundary element library in
-C++. It is measured against, and is no dependency.
+Tamaas (L. Frerot et al., J. Open Source Softw. 5 (2020) 2121; AGPL) is a boundary element library
+in C++. It is measured against, and is no dependency.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -45,7 +46,7 @@ def solve(elements: int, share: float) -> tuple[Callable[[], float], float, str]
     return once, found, str(tamaas.__version__)
 
 
-def _surface(tamaas: object, elements: int) -> np.ndarray:
+def _surface(tamaas: Any, elements: int) -> np.ndarray:
     """Heights from the longest wave of the patch to one of eight elements."""
     generator = tamaas.SurfaceGeneratorFilter2D([elements, elements])
     generator.spectrum = tamaas.Isopowerlaw2D()

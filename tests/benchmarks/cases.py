@@ -33,7 +33,7 @@ KERNELS: dict[str, dict[str, Any]] = {
     # interpolated to 257 lags: without that it blows up
     "band-limited": {
         "kernel": "band-limited", "lags": 65, "time_resolution_factor": 4,
-        "solver": "thesis", "max_iterations": 10,
+        "solver": "thesis", "max_iterations": 50,
     },
 }  # fmt: skip
 #: windows that take longer end; so do quasi-static runs [s]

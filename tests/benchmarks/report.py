@@ -135,7 +135,7 @@ def text(found: Measured) -> str:
             ["lags, at 20 x 20", *map(str, MANY_LAGS)],
             [["a step", *(_time(found.of("lags", lags=lags)) for lags in MANY_LAGS)]],
         ),
-        table(["run or part", "time", "steps/s"], _runs(found)),
+        table(["run or part", "time", "steps/s", "times the direct method"], _runs(found)),
     ]
     return "\n\n".join(lines)
 
@@ -176,18 +176,25 @@ def _size_row(found: Measured, elements: int) -> list[str]:
 
 
 def _runs(found: Measured) -> list[list[str]]:
-    steps, loop = found.of("default", "steps"), found.of("default", "loop")
+    loop, steps = found.of("default", "loop"), found.of("default", "steps")
     rows = [
-        ["`default` in 1024 steps, all made anew but the kernel", found.of("default", "fastest")],
-        ["the same, its steps alone", loop, steps / loop],
+        ("`default` in 1024 steps, all made anew but the kernel", found.of("default", "fastest")),
+        ("its steps alone", loop, steps / loop, found.direct(20, "passive") * steps / loop),
     ]
     for name in ("adhesion", "thesis-factor-4", "quasi-static"):
         seconds, count = found.of("run", preset=name), found.of("run", "steps", preset=name)
-        rows.append([f"`{name}`, {count} steps", seconds, count / seconds])
-    rows.append(["default kernel", found.of("kernel", "fastest")])
-    rows.append(["springs from 2000 x 2000 heights", found.of("springs", "fastest")])
-    rows.append(["`import tyrecontact`", found.of("default", "import")])
-    return [[row[0], _time(row[1]), _or_dash(row[2], "{:.0f}") if row[2:] else ""] for row in rows]
+        rows.append((f"`{name}`, {_or_dash(count, '{:.0f}')} steps", seconds, count / seconds))
+    rows += [
+        ("default kernel", found.of("kernel", "fastest")),
+        ("springs from 2000 x 2000 heights", found.of("springs", "fastest")),
+        ("`import tyrecontact`", found.of("default", "import")),
+    ]
+    forms = ("{:.0f}", "{:.0f}")
+    return [
+        [name, _time(seconds), *(_or_dash(x, form) for x, form in zip(more, forms, strict=False))]
+        + [""] * (2 - len(more))
+        for name, seconds, *more in rows
+    ]
 
 
 def _time(seconds: float) -> str:

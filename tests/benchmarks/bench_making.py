@@ -13,6 +13,11 @@ from tyrecontact import Scenario, Simulation, presets
 Benchmark = Any  # pytest-benchmark's fixture
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _own_cache() -> None:
+    """Unlike the tests, benchmarks take kernels from the user's cache: some take a minute."""
+
+
 def coldest(benchmark: Benchmark, run: Any, name: str) -> None:
     """Keep the fastest of three fresh processes."""
     found = min((run(name) for _ in range(3)), key=lambda process: process["seconds"])

@@ -19,10 +19,13 @@ from tests.benchmarks.direct import DirectMethod
 Benchmark = Any  # pytest-benchmark's fixture
 #: at which both methods are compared [m]
 RESIDUAL = 2e-17
-
-
 #: contacts per element in the middle of the passive windows, by size
 _shares: dict[int, float] = {}
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _own_cache() -> None:
+    """Unlike the tests, benchmarks take kernels from the user's cache: some take a minute."""
 
 
 def fastest(benchmark: Benchmark, run: Callable[[], Any], rounds: int, longest: float) -> Window:

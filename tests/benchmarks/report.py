@@ -189,7 +189,7 @@ def _runs(found: Measured) -> list[list[str]]:
         ("springs from 2000 x 2000 heights", found.of("springs", "fastest")),
         ("`import tyrecontact`", found.of("default", "import")),
     ]
-    forms = ("{:.0f}", "{:.0f}")
+    forms = ("{:.0f}", "about {:.0f}")
     return [
         [name, _time(seconds), *(_or_dash(x, form) for x, form in zip(more, forms, strict=False))]
         + [""] * (2 - len(more))

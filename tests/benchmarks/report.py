@@ -125,8 +125,8 @@ def text(found: Measured) -> str:
         _setting(found),
         table(["judged by", "measured", "asked", ""], [line.row() for line in judged(found)]),
         "A step in the middle of a run, with a full memory: mean over as many steps as there are "
-        "lags. In brackets: times as fast as the direct method (measured at 20 x 20; its cost "
-        "grows at least as M^2).",
+        "lags, or as fit into 100 s. In brackets: times as fast as the direct method (measured at "
+        "20 x 20; its cost grows at least as M^2).",
         table(
             ["elements", "contacts", *KERNELS, "static", "Tamaas, one solve", "peak memory"],
             [_size_row(found, n) for n in SIZES],

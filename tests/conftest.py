@@ -9,6 +9,9 @@ from pathlib import Path
 
 import pytest
 
+# before numpy comes: on matrices this small threads mostly wait for each other
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from tyrecontact import Results, Scenario, Simulation, presets
 from tyrecontact.figures import FIGURES, Figure
 

@@ -35,7 +35,7 @@ class Road(Part):
         "A 1-D profile is drawn out sideways, or gives spectrum and heights of a 2-D road",
     )
     size = Quantity(20e-3, (1e-3, 0.2), "m", "Side of the square patch", _MM)
-    elements = Count(20, (2, 128), "Elements along a side of the patch")
+    elements = Count(20, (2, 256), "Elements along a side of the patch")
     texture = Choice("worn", ["worn", "self-affine", "clipped"], "Kind of road that is made")
     seed = Count(1, (0, 2**32 - 1), "Seed of the made road")
     pixel = Quantity(25e-6, (5e-6, 1e-3), "m", "Pitch of the made road", _UM)

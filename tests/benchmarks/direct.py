@@ -144,7 +144,7 @@ class DirectMethod:
         """Compression d [m] and force [N] with target - G F(d) - d = 0, and iterations used."""
         d = start
         for iteration in range(101):
-            force, stiffness = interface.force_and_stiffness(d)
+            force, stiffness, _ = interface.respond(d)
             imbalance = target - matrix @ force - d
             if np.abs(imbalance).max() <= self.tolerance:
                 return d, force, iteration

@@ -6,7 +6,7 @@ WORKDIR /srv/tyrecontact
 
 # what changes least comes first: an edit of the package does not install its dependencies again
 COPY tests/constraints.txt pyproject.toml README.md ./
-RUN mkdir -p tyrecontact && touch tyrecontact/__init__.py && pip install -c constraints.txt ".[app]"
+RUN mkdir -p tyrecontact && touch tyrecontact/__init__.py && pip install -c constraints.txt ".[app,fast]"
 
 COPY tyrecontact tyrecontact
 COPY app app
@@ -14,7 +14,7 @@ RUN pip install --no-deps --force-reinstall .
 
 RUN useradd --create-home --uid 10001 tyrecontact
 USER tyrecontact
-# the kernels of the presets are ready before the first visitor comes
+# the kernels of the presets and the compiled loops are ready before the first visitor comes
 RUN tyrecontact run default --json && tyrecontact run thesis-instability --json && tyrecontact run quasi-static --json
 
 EXPOSE 5006

@@ -7,9 +7,11 @@ compiled at their first use, in some ten seconds, and kept on disk.
 from __future__ import annotations
 
 import os
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from importlib import import_module
-from importlib.util import find_spec
 from types import ModuleType
 
 from threadpoolctl import threadpool_limits
@@ -25,12 +27,31 @@ def compiled(name: str) -> ModuleType | None:
 
 @cache
 def _module(name: str) -> ModuleType | None:
-    return import_module(name) if find_spec("numba") else None
+    try:
+        import numba  # noqa: F401
+    except ImportError:  # also where it does not go with this numpy
+        return None
+    return import_module(name)
 
 
-def one_thread() -> threadpool_limits:
-    """While this context lasts, products of matrices use one thread.
+_lock = threading.Lock()
+_inside: list[threadpool_limits] = []
 
-    Those of a step are too small to be shared, and the other core is the page's.
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """While a context lasts, products of matrices use one thread, in the whole process.
+
+    Those of a step are too small to be shared, and the other core is the page's. Contexts may
+    overlap: the last one to end gives the threads back.
     """
-    return threadpool_limits(limits=1, user_api="blas")
+    with _lock:
+        # what the first one has found is what the last one restores
+        _inside.append(_inside[-1] if _inside else threadpool_limits(limits=1, user_api="blas"))
+    try:
+        yield
+    finally:
+        with _lock:
+            limits = _inside.pop()
+            if not _inside:
+                limits.restore_original_limits()

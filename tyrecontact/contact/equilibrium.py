@@ -17,6 +17,10 @@ from tyrecontact.contact.machine import Machine, Moment, Place, machine_energy
 from tyrecontact.contact.newton import Solution, robust
 from tyrecontact.road.springs import Springs
 
+_COMPRESSED, _TENSION, _RELEASED = (
+    np.int8(state)
+    for state in (ElementState.COMPRESSED, ElementState.TENSION, ElementState.RELEASED)
+)
 #: compliance, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
 NewtonMethod = Callable[..., Solution]
 
@@ -187,7 +191,7 @@ def _move_on(
 
 
 def _element_states(force: np.ndarray, bonded: np.ndarray, released: np.ndarray) -> np.ndarray:
-    state = np.int8(ElementState.TENSION) * bonded
-    np.copyto(state, np.int8(ElementState.RELEASED), where=released)
-    np.copyto(state, np.int8(ElementState.COMPRESSED), where=force > 0)
+    state = bonded * _TENSION
+    np.putmask(state, released, _RELEASED)
+    np.putmask(state, force > 0, _COMPRESSED)
     return state

@@ -24,9 +24,11 @@ def test_loops_are_compiled_where_numba_is_installed(monkeypatch: pytest.MonkeyP
     assert fast.compiled("tyrecontact.road.compiled") is None
 
 
-@pytest.mark.parametrize(
-    "without", ["import os; os.environ['TYRECONTACT_COMPILED'] = '0'", "import sys; sys.modules['numba'] = None"]
-)  # fmt: skip
+FORBIDDEN = "import os; os.environ['TYRECONTACT_COMPILED'] = '0'"
+MISSING = "import sys; sys.modules['numba'] = None"
+
+
+@pytest.mark.parametrize("without", [FORBIDDEN, MISSING])
 def test_everything_works_without_numba(without: str) -> None:
     script = (
         f"{without}\nimport tyrecontact as tc, sys\n"

@@ -25,6 +25,8 @@ from tyrecontact.road import bonded_punch
 _RATIOS = np.geomspace(1e-3, 64, 97)
 #: L(u) - 1 is below 1e-15 beyond this u
 _CUT_OFF = 24.0
+#: nodes of a panel, and the step of their numbers: nodes of many are dear to find
+_PANEL = 64
 
 
 def stiffness_factor(
@@ -99,8 +101,8 @@ def _solve(ratio: float, poissons_ratio: float) -> float:
 
     The kernel is entire, so convergence is exponential once its width of h/a is resolved.
     """
-    t, weight = _gauss(64 * int(np.ceil((40 + 6 * ratio) / 64)))
-    u, du = _gauss(128 * int(np.ceil((64 + 20 * ratio) / 128)))
+    t, weight = _gauss(_PANEL * int(np.ceil((40 + 6 * ratio) / _PANEL)))
+    u, du = _panels(int(np.ceil((64 + 16 * ratio) / _PANEL)))
     u, du = u * _CUT_OFF, du * _CUT_OFF
     cosine = np.cos(ratio * np.outer(t, u))
     kernel = 2 / np.pi * ratio * (cosine * ((_layer(u, poissons_ratio) - 1) * du)) @ cosine.T
@@ -119,3 +121,9 @@ def _gauss(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Gauss-Legendre nodes and weights on [0, 1]."""
     x, weight = special.roots_legendre(count)
     return (x + 1) / 2, weight / 2
+
+
+def _panels(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and weights on [0, 1], a Gauss-Legendre rule on each of equal panels."""
+    x, weight = _gauss(_PANEL)
+    return ((np.arange(count)[:, None] + x) / count).ravel(), np.tile(weight / count, count)

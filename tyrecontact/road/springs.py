@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import cumulative_trapezoid
+import scipy  # its parts are loaded where they are first used
 
 from tyrecontact.errors import InputError, unknown_name
 from tyrecontact.road.punch import factor_and_exponent
@@ -128,7 +128,7 @@ def _stiffness(punch: _Punches, tangent: bool, smoothing: str) -> np.ndarray:
     if tangent and smoothing == "monotone":
         return own  # the punch only grows and the layer only thins: it never falls
     if tangent:
-        force = cumulative_trapezoid(own, punch.delta, axis=1, initial=0)
+        force = scipy.integrate.cumulative_trapezoid(own, punch.delta, axis=1, initial=0)
     else:
         force = own * punch.delta
     # an element all but flat is fully compressed at once: its last stiffness is all there is

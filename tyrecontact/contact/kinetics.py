@@ -10,10 +10,10 @@ from functools import cached_property
 import numpy as np
 from scipy.special import exp1
 
-from tyrecontact.contact.adhesion import require_not_negative
+from tyrecontact.contact.adhesion import hinged_at_reach, require_not_negative
 from tyrecontact.contact.bonds import Bonds, Outcome
 from tyrecontact.contact.cracks import CrackTable
-from tyrecontact.contact.interface import Hinged, Interface, Mirrored
+from tyrecontact.contact.interface import Interface, Mirrored
 from tyrecontact.contact.latest import Latest
 from tyrecontact.road.springs import Springs
 
@@ -174,7 +174,7 @@ class RecedingContact:
 
     @cached_property
     def _hinged(self) -> Latest[Springs, Bonds, Interface]:
-        return Latest(_hinged_at_reach)
+        return Latest(hinged_at_reach)
 
     @cached_property
     def _cracks(self) -> Latest[Springs, CrackTable]:
@@ -208,7 +208,3 @@ class _Front:
 
     element: np.ndarray
     reach: np.ndarray
-
-
-def _hinged_at_reach(springs: Springs, bonds: Bonds) -> Interface:
-    return Hinged(springs, bonds.bonded, bonds.reach)

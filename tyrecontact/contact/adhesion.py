@@ -16,6 +16,7 @@ import numpy as np
 
 from tyrecontact.contact.bonds import Bonds, Outcome
 from tyrecontact.contact.interface import Hinged, Interface, Mirrored
+from tyrecontact.contact.latest import Latest
 from tyrecontact.errors import InputError
 from tyrecontact.road.springs import Springs
 
@@ -142,7 +143,11 @@ class Hysteresis:
         require_not_negative("release_force", self.release_force, "N")
 
     def interface(self, springs: Springs, bonds: Bonds) -> Interface:
-        return Hinged(springs, bonds.bonded, bonds.reach)
+        return self._hinged(springs, bonds)
+
+    @cached_property
+    def _hinged(self) -> Latest[Springs, Bonds, Interface]:
+        return Latest(hinged_at_reach)
 
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         drawn = springs.force(np.maximum(-outcome.compression, 0.0))
@@ -152,6 +157,10 @@ class Hysteresis:
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
         bonded = (bonds.bonded | (outcome.force > 0)) & (self.release_force > 0)
         return bonds.after(outcome, bonded)
+
+
+def hinged_at_reach(springs: Springs, bonds: Bonds) -> Interface:
+    return Hinged(springs, bonds.bonded, bonds.reach)
 
 
 def require_not_negative(name: str, value: float | np.ndarray, unit: str) -> None:

@@ -5,28 +5,30 @@ of bonds, and a contact that recedes by fracture (Johnson, Kendall and Roberts; 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy.special import exp1
 
-from tyrecontact.contact.adhesion import require_not_negative
+from tyrecontact.contact.adhesion import hinged_at_reach, require_not_negative
 from tyrecontact.contact.bonds import Bonds, Outcome
-from tyrecontact.contact.interface import Hinged, Interface, Mirrored
+from tyrecontact.contact.cracks import CrackTable
+from tyrecontact.contact.interface import Interface, Mirrored
+from tyrecontact.contact.latest import Latest
 from tyrecontact.road.springs import Springs
 
 #: a contact of which less than this share of the bonds is left has broken
 _LEAST_FRACTION = 0.01
 #: e to this is the largest rate that is told from infinity
 _LARGEST_EXPONENT = 700.0
-_HALVINGS = 40
+_MOST_ITERATIONS = 60
+_ROUNDING = 1e-14
 #: share of the bonds that may break in a step before their rate counts as changing in it
 _MANY = 0.01
 #: stands for zero where one divides by it
 _NOTHING = 1e-200
 #: a crack of infinite speed moves at this excess of G over w, too
 _LEAST_EXCESS = 1e-16
-#: places where a receding contact is looked at for rest
-_PLACES = 33
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,13 @@ class BondKinetics:
 
     def fraction(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         """Share of bonds [-] after the step."""
+        return self._shares(springs, bonds, outcome)
+
+    @cached_property
+    def _shares(self) -> Latest[Springs, Bonds, Outcome, np.ndarray]:
+        return Latest(self._fraction)
+
+    def _fraction(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
         tension = np.maximum(-outcome.force, 0.0)
         strength = np.pi * springs.radius(bonds.reach) ** 2 * self.bond_stress
         held = np.maximum(bonds.fraction, _NOTHING)
@@ -88,14 +97,25 @@ class BondKinetics:
 
 
 def _share_left(share: np.ndarray, pull: np.ndarray, time: float) -> np.ndarray:
-    """What db/dt = -b exp(x / b) makes of a share in a time: E_1(x / b) falls at the rate 1."""
-    goal = exp1(pull / share) - time
-    low, high = np.zeros_like(share), share
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        enough = exp1(pull / middle) >= goal
-        low, high = np.where(enough, low, middle), np.where(enough, middle, high)
-    return high
+    """What db/dt = -b exp(x / b) makes of a share in a time: E_1(x / b) falls at the rate 1.
+
+    Newton's method for z = x / b. E_1 in ln z and ln E_1 in z both fall ever more slowly, so
+    that no step of either leads beyond the root: the larger one is taken.
+    """
+    z = pull / share
+    goal = exp1(z) - time
+    left = np.zeros_like(share)
+    some = np.flatnonzero(goal > 0)
+    z, goal = z[some], goal[some]
+    for _ in range(_MOST_ITERATIONS):
+        value, rate = exp1(z), np.exp(-z)  # -dE_1 / d ln z
+        by_ln_z, by_ln_e = np.expm1((value - goal) / rate), np.log(value / goal) * value / rate
+        further = np.maximum(by_ln_z, by_ln_e)
+        z = z * (1 + further)
+        if np.all(further <= _ROUNDING):
+            break
+    left[some] = pull[some] / z
+    return left
 
 
 @dataclass(frozen=True)
@@ -133,93 +153,58 @@ class RecedingContact:
     def interface(self, springs: Springs, bonds: Bonds) -> Interface:
         if self.work_of_adhesion == 0:
             return Mirrored(springs, bonds.bonded)
-        return Hinged(springs, bonds.bonded, bonds.reach)
+        return self._hinged(springs, bonds)
 
     def toughness(self, bonds: Bonds) -> np.ndarray:
         """w of each contact [J/m2]."""
         return self.work_of_adhesion * (1 + self.ageing * np.log1p(bonds.age / self.ageing_time))
 
     def broken(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
-        opening = self._opening(springs, bonds, outcome)
-        if opening.any():  # few can shrink to nothing in a step; only those are looked into
-            left = springs.radius(bonds.reach) - self._lost(springs, bonds, outcome, opening)
-            opening &= left <= springs.radius(np.zeros_like(left))
-        if opening.any():
-            opening[opening] = self._receded(springs, bonds, outcome, opening) <= 0
-        return opening
+        front, gone = self._front(springs, bonds, outcome), np.zeros(bonds.reach.size, bool)
+        gone[front.element] = front.reach <= 0
+        return gone
 
     def after(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> Bonds:
         bonded = (bonds.bonded | (outcome.force > 0)) & (self.work_of_adhesion > 0)
         moved = bonds.after(outcome, bonded)
         reach = springs.onset(moved.reach)  # pressing on at constant area moves no crack
-        opening = self._opening(springs, bonds, outcome)
-        if opening.any():
-            reach[opening] = self._receded(springs, bonds, outcome, opening)
+        front = self._front(springs, bonds, outcome)
+        reach[front.element] = front.reach
         return replace(moved, reach=reach)
 
-    def _opening(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> np.ndarray:
-        """Where the crack moves: bonded and pulled, with G > w."""
-        release = _energy_release_rate(springs, bonds.reach, outcome.compression)
-        pulled = bonds.bonded & (outcome.compression < bonds.reach)
-        pulled |= bonds.bonded & (outcome.force < 0)
-        return pulled & (release > self.toughness(bonds))
+    @cached_property
+    def _hinged(self) -> Latest[Springs, Bonds, Interface]:
+        return Latest(hinged_at_reach)
 
-    def _receded(
-        self, springs: Springs, bonds: Bonds, outcome: Outcome, opening: np.ndarray
-    ) -> np.ndarray:
-        """Compression of the area that is left [m] of the opening contacts; 0 where none is."""
-        left = (springs.radius(bonds.reach) - self._lost(springs, bonds, outcome, opening))[opening]
-        springs = springs.take(np.flatnonzero(opening))
-        start, depth = bonds.reach[opening], outcome.compression[opening]
-        end = _at_radius(springs, left, start)
-        return _first_rest(springs, start, end, depth, self.toughness(bonds)[opening])
+    @cached_property
+    def _cracks(self) -> Latest[Springs, CrackTable]:
+        return Latest(CrackTable)
 
-    def _lost(
-        self, springs: Springs, bonds: Bonds, outcome: Outcome, opening: np.ndarray
-    ) -> np.ndarray:
-        """How far the cracks that open would move in the step at the speed they have [m]."""
-        release = _energy_release_rate(springs, bonds.reach, outcome.compression)
-        excess = np.where(opening, release / self.toughness(bonds) - 1, 1.0)
+    @cached_property
+    def _front(self) -> Latest[Springs, Bonds, Outcome, _Front]:
+        return Latest(self._moved)
+
+    def _moved(self, springs: Springs, bonds: Bonds, outcome: Outcome) -> _Front:
+        """The cracks that move, bonded and pulled with G > w, and where they get to."""
+        table, tough = self._cracks(springs), self.toughness(bonds)
+        pulled = (outcome.compression < bonds.reach) | (outcome.force < 0)
+        element = np.flatnonzero(bonds.bonded & pulled)
+        start, depth, tough = (x[element] for x in (bonds.reach, outcome.compression, tough))
+        radius, release = table.radius_and_release(element, start, depth)
+        moving = release > tough
+        element, start, depth, tough, radius, release = (
+            x[moving] for x in (element, start, depth, tough, radius, release)
+        )
         with np.errstate(over="ignore"):  # beyond all bounds is fast enough
-            speed = self.crack_speed * np.maximum(excess, _LEAST_EXCESS) ** (
-                1 / self.crack_exponent
-            )
-        return np.where(opening, speed * outcome.time_step, 0.0)
+            excess = np.maximum(release / tough - 1, _LEAST_EXCESS)
+            lost = self.crack_speed * excess ** (1 / self.crack_exponent) * outcome.time_step
+        left = radius - lost
+        return _Front(element, table.receded(element, radius, left, start, depth, tough))
 
 
-def _at_radius(springs: Springs, radius: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """Smallest compression [m] with at least a radius [m], at most `start`; 0 if all have it."""
-    low, high = np.zeros_like(start), start
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        enough = springs.radius(middle) >= radius
-        low, high = np.where(enough, low, middle), np.where(enough, middle, high)
-    return np.where(springs.radius(np.zeros_like(start)) >= radius, 0.0, high)
+@dataclass(frozen=True)
+class _Front:
+    """Elements whose crack moves, and the compression [m] of the area that is left; 0: none."""
 
-
-def _first_rest(
-    springs: Springs, start: np.ndarray, end: np.ndarray, depth: np.ndarray, tough: np.ndarray
-) -> np.ndarray:
-    """Where a crack that moves from `start` to `end` [m] first meets G <= w, or `end`."""
-    places = start - np.linspace(0, 1, _PLACES)[:, None] * (start - end)
-    rests = _energy_release_rate(springs, places, depth) <= tough
-    rests[0] = False  # it moves there
-    found, first = rests.any(axis=0), np.maximum(rests.argmax(axis=0), 1)
-    if not found.any():
-        return end
-    column = np.arange(start.size)
-    moving, resting = places[first - 1, column], places[first, column]
-    for _ in range(_HALVINGS):
-        middle = (moving + resting) / 2
-        stops = _energy_release_rate(springs, middle, depth) <= tough
-        moving, resting = np.where(stops, moving, middle), np.where(stops, middle, resting)
-    return np.where(found, resting, end)
-
-
-def _energy_release_rate(
-    springs: Springs, reach: np.ndarray, compression: np.ndarray
-) -> np.ndarray:
-    """G [J/m2] at the edge of contacts of the area at `reach` [m], pulled to `compression` [m]."""
-    radius = springs.radius(reach)
-    release = springs.punch_stiffness_slope(reach) * (compression - reach) ** 2
-    return np.where(radius > 0, release / (4 * np.pi * np.where(radius > 0, radius, 1.0)), 0.0)
+    element: np.ndarray
+    reach: np.ndarray

@@ -22,7 +22,8 @@ oscillation at the edge is exact, and the rest converges exponentially. alpha = 
 from __future__ import annotations
 
 import numpy as np
-from scipy import special
+
+from tyrecontact.road.quadrature import gauss, panels
 
 #: A - 1, B - b and D - 1 are below 1e-15 beyond this u
 _CUT_OFF = 24.0
@@ -49,10 +50,10 @@ def solve(ratio: float, poissons_ratio: float) -> float:
     k0 = 3 - 4 * poissons_ratio
     theta, b = np.log(k0) / (2 * np.pi), (k0 - 1) / (k0 + 1)
     count = 2 * int(np.ceil(10 + 2 * ratio))
-    x = special.roots_legendre(count)[0][count // 2 :]
+    x = 2 * gauss(count)[0][count // 2 :] - 1
     rest, weight = _crowded(2 * count if poissons_ratio == 0.5 else 4 * count)
     t = 1 - rest
-    u, du = _gauss(128 * int(np.ceil((64 + 20 * ratio) / 128)))
+    u, du = panels(64 + 16 * ratio)
     u, du = u * _CUT_OFF, du * _CUT_OFF * 2 / np.pi * ratio
     edge = (rest / (1 + t)) ** (1j * theta)
     basis = edge * _jacobi(count, theta, t) * weight
@@ -87,13 +88,7 @@ def _jacobi(count: int, theta: float, x: np.ndarray) -> np.ndarray:
     return values
 
 
-def _gauss(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Gauss-Legendre nodes and weights on [0, 1]."""
-    x, weight = special.roots_legendre(count)
-    return (x + 1) / 2, weight / 2
-
-
 def _crowded(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Distances from 1 of nodes on [0, 1] that crowd there, and weights."""
-    gap, weight = _gauss(count)
+    gap, weight = gauss(count)
     return gap**_CROWDING, weight * _CROWDING * gap ** (_CROWDING - 1)

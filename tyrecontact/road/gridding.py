@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import ndimage
+import scipy  # its parts are loaded where they are first used
 
 from tyrecontact.errors import InputError
 
@@ -127,7 +127,9 @@ def _square(mask: np.ndarray) -> tuple[int, tuple[int, int]]:
 
     By bisection: sums over all squares of a side come from sums over rectangles to the corner.
     """
-    sums = np.pad(ndimage.binary_fill_holes(mask).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    sums = np.pad(
+        scipy.ndimage.binary_fill_holes(mask).cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0))
+    )
 
     def full(side: int) -> np.ndarray:
         ends, starts = slice(side, None), slice(None, -side)
@@ -148,10 +150,10 @@ def _best_angle(mask: np.ndarray, straight: int) -> int:
     """By how many degrees to turn so that the largest square is largest; 0 if not worth it."""
     if mask.size > 1_000_000:  # the outline is known well enough from fewer nodes
         every = int(np.ceil(np.sqrt(mask.size / 1_000_000)))
-        mask, straight = ndimage.binary_fill_holes(mask)[::every, ::every], straight // every
+        mask, straight = scipy.ndimage.binary_fill_holes(mask)[::every, ::every], straight // every
     sides = {}
     for angle in range(3, 90, 3):
-        turned = ndimage.rotate(mask.astype(np.uint8), angle, order=0)
+        turned = scipy.ndimage.rotate(mask.astype(np.uint8), angle, order=0)
         sides[angle] = _square(turned > 0)[0]
     angle = max(sides, key=lambda key: sides[key])
     return angle if sides[angle] > _WORTH_TURNING * straight else 0

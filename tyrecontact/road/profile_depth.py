@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import signal
+import scipy  # its parts are loaded where they are first used
 
 #: length of a segment in the standard [m]
 SEGMENT = 0.1
@@ -69,13 +69,13 @@ def _depths(row: np.ndarray, pitch: float, pixels: int) -> list[float]:
         return []
     place = np.arange(len(row))
     bridged = np.interp(place, place[valid], row[valid])
-    whole = _low_passed(signal.detrend(bridged), pitch)
+    whole = _low_passed(scipy.signal.detrend(bridged), pitch)
     found = []
     for start in range(0, len(row) - pixels + 1, pixels):
         part = slice(start, start + pixels)
         if valid[part].mean() < 1 - _MOST_MISSING:
             continue
-        flat = signal.detrend(whole[part])
+        flat = scipy.signal.detrend(whole[part])
         half = pixels // 2
         found.append(float((flat[:half].max() + flat[half:].max()) / 2))
     return found
@@ -85,7 +85,7 @@ def _low_passed(row: np.ndarray, pitch: float) -> np.ndarray:
     """Without wavelengths below 2.4 mm; as it is where its pitch hardly resolves them."""
     if pitch > _LOW_PASS / 3 or len(row) < 16:
         return row
-    sections = signal.butter(2, 2 * pitch / _LOW_PASS, output="sos")
+    sections = scipy.signal.butter(2, 2 * pitch / _LOW_PASS, output="sos")
     padding = min(len(row) - 1, int(np.ceil(_LOW_PASS / pitch)))
     # mirrored beyond its ends: the usual odd extension would hold on to the very last height
-    return np.asarray(signal.sosfiltfilt(sections, row, padtype="even", padlen=padding))
+    return np.asarray(scipy.signal.sosfiltfilt(sections, row, padtype="even", padlen=padding))

@@ -15,11 +15,11 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from scipy import special
 from scipy.interpolate import CubicSpline
 
 from tyrecontact.errors import InputError
 from tyrecontact.road import bonded_punch
+from tyrecontact.road.quadrature import PANEL, gauss, panels
 
 #: a/h where kappa is solved for; below them it is taken as linear in a/h, above as a power of it
 _RATIOS = np.geomspace(1e-3, 64, 97)
@@ -99,11 +99,11 @@ def _solve(ratio: float, poissons_ratio: float) -> float:
 
     The kernel is entire, so convergence is exponential once its width of h/a is resolved.
     """
-    t, weight = _gauss(64 * int(np.ceil((40 + 6 * ratio) / 64)))
-    u, du = _gauss(128 * int(np.ceil((64 + 20 * ratio) / 128)))
+    t, weight = gauss(PANEL * int(np.ceil((40 + 6 * ratio) / PANEL)))
+    u, du = panels(64 + 16 * ratio)
     u, du = u * _CUT_OFF, du * _CUT_OFF
-    cosine = np.cos(ratio * np.outer(t, u))
-    kernel = 2 / np.pi * ratio * (cosine * ((_layer(u, poissons_ratio) - 1) * du)) @ cosine.T
+    root = np.cos(ratio * np.outer(t, u)) * np.sqrt((1 - _layer(u, poissons_ratio)) * du)  # L < 1
+    kernel = -2 / np.pi * ratio * (root @ root.T)
     phi = np.linalg.solve(np.eye(t.size) + kernel * weight, np.ones(t.size))
     return float(weight @ phi)
 
@@ -112,10 +112,3 @@ def _layer(u: np.ndarray, poissons_ratio: float) -> np.ndarray:
     """L(u): the layer's static compliance over that of a half-space, u = k h."""
     k0 = 3 - 4 * poissons_ratio
     return (2 * k0 * np.sinh(2 * u) - 4 * u) / (2 * k0 * np.cosh(2 * u) + 4 * u**2 + 1 + k0**2)
-
-
-@lru_cache(maxsize=32)
-def _gauss(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Gauss-Legendre nodes and weights on [0, 1]."""
-    x, weight = special.roots_legendre(count)
-    return (x + 1) / 2, weight / 2

@@ -7,7 +7,7 @@ standard ones, or linear ones would do (chapter 6).
 from __future__ import annotations
 
 import numpy as np
-from scipy.cluster.vq import kmeans, vq
+import scipy  # its parts are loaded where they are first used
 
 from tyrecontact.errors import InputError, unknown_name
 from tyrecontact.road.spring_tables import Springs, linear
@@ -71,8 +71,8 @@ def standard(springs: Springs, count: int) -> Springs:
     kinds = np.unique(feature[np.argsort(feature.mean(axis=1), kind="stable")], axis=0)
     kinds = kinds[np.argsort(kinds.mean(axis=1), kind="stable")]
     first = np.unique(((np.arange(count) + 0.5) / count * len(kinds)).astype(int))
-    centres, _ = kmeans(feature, kinds[first])
-    return _averaged(springs, vq(feature, centres)[0])
+    centres, _ = scipy.cluster.vq.kmeans(feature, kinds[first])
+    return _averaged(springs, scipy.cluster.vq.vq(feature, centres)[0])
 
 
 def linearised(springs: Springs, compression: float) -> Springs:

@@ -17,8 +17,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from scipy.optimize import isotonic_regression, nnls
-from scipy.stats import binom
+import scipy  # its parts are loaded where they are first used
 
 _ORDER = 10
 #: compressions, as shares of the full one, at which the polynomial is fitted
@@ -43,7 +42,7 @@ def convex_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray) -> 
     inside = np.maximum(np.searchsorted(delta, full, side="right") - 1, 1)
     for row, cells in zip(slope, inside, strict=True):
         # slopes averaged where they fall, by width: the convex curve below
-        row[:cells] = isotonic_regression(row[:cells], weights=width[:cells]).x
+        row[:cells] = scipy.optimize.isotonic_regression(row[:cells], weights=width[:cells]).x
         row[cells:] = row[cells - 1]
     stiffness = np.zeros_like(force)
     share = width[:-1] / (width[:-1] + width[1:])  # of the way between two cells' middles
@@ -67,7 +66,7 @@ def polynomial_stiffness(delta: np.ndarray, force: np.ndarray, full: np.ndarray)
         raw = np.exp(np.interp(np.log(_SHARES[known] * end), log_delta, log_force))
         relative = integral[known] / raw[:, None]
         size = np.linalg.norm(relative, axis=0)
-        steps, _ = nnls(relative / size, np.ones(raw.size), maxiter=1000)
+        steps, _ = scipy.optimize.nnls(relative / size, np.ones(raw.size), maxiter=1000)
         slopes[i] = np.cumsum(steps / size) / end
     return _bernstein(slopes, np.minimum(delta / full[:, None], 1.0))
 
@@ -77,7 +76,7 @@ def _rising_integrals(x: np.ndarray) -> np.ndarray:
 
     With these steps of b >= 0 the b rise; the integral of B_m,9 is (B_m+1,10 + ... + B_10,10) / 10.
     """
-    above = binom.sf(np.arange(_ORDER), _ORDER, x[:, None]) / _ORDER
+    above = scipy.special.bdtrc(np.arange(_ORDER), _ORDER, x[:, None]) / _ORDER
     return above[:, ::-1].cumsum(axis=1)[:, ::-1]
 
 

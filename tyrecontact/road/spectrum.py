@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy import optimize, signal
+import scipy  # its parts are loaded where they are first used
 
 from tyrecontact.errors import InputError
 
@@ -65,7 +65,7 @@ def of_profile(heights: np.ndarray, pitch: float, longest: float) -> tuple[np.nd
         raise InputError(
             f"profile must have at least 64 heights to give a spectrum, got {len(heights)}"
         )
-    frequency, one_sided = signal.welch(heights, 1 / pitch, nperseg=segment, detrend="linear")
+    frequency, one_sided = scipy.signal.welch(heights, 1 / pitch, nperseg=segment, detrend="linear")
     kept = (frequency >= (1 - 1e-9) / longest) & (frequency > 0)
     return frequency[kept], one_sided[kept] / 2
 
@@ -81,7 +81,7 @@ def of_map(heights: np.ndarray, pitch: float, rings: int = 24) -> tuple[np.ndarr
     -------
     Frequencies [1/m] and S2 [m^4], shape (rings,) less those that hold no wave.
     """
-    window = np.multiply.outer(*(signal.windows.hann(n, sym=False) for n in heights.shape))
+    window = np.multiply.outer(*(scipy.signal.windows.hann(n, sym=False) for n in heights.shape))
     seen = (heights - heights.mean()) * window
     power = np.abs(np.fft.fft2(seen)) ** 2 * pitch**2 / np.sum(window**2)
     axes = [np.fft.fftfreq(n, pitch) for n in heights.shape]
@@ -119,7 +119,7 @@ def isotropic(frequency: np.ndarray, density: np.ndarray) -> Isotropic:
     # a typical S2 of each ring scales its column, so that all unknowns are of the order of one
     typical = np.interp(np.sqrt(edges[1:] * edges[:-1]), middle, profile / middle)
     scaled = matrix * typical / profile[:, None]
-    solution, _ = optimize.nnls(scaled, np.ones(len(middle)))
+    solution, _ = scipy.optimize.nnls(scaled, np.ones(len(middle)))
     return Isotropic(edges, solution * typical)
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import cumulative_trapezoid
+import scipy  # its parts are loaded where they are first used
 
 from tyrecontact.errors import InputError, unknown_name
 from tyrecontact.road.punch import factor_and_exponent
@@ -34,6 +34,8 @@ __all__ = [
 ]
 
 READINGS, SMOOTHINGS = ("tangent", "secant"), ("monotone", "polynomial")
+#: elements taken at a time: what is computed of so many stays near the processor
+_BLOCK = 256
 #: nodes that a curve must have to be smoothed
 _FEWEST_NODES = 16
 
@@ -72,7 +74,25 @@ def from_heights(
     """
     _require_known("reading", reading, READINGS)
     _require_known("smoothing", smoothing, SMOOTHINGS)
-    punch = _Punches.of(heights, pitch, youngs_modulus, bonded)
+    if not 0 < youngs_modulus < np.inf:
+        raise InputError(f"youngs_modulus of the springs must be positive, got {youngs_modulus} Pa")
+    depth = float((heights.max(axis=-1) - heights.min(axis=-1)).max())
+    if not depth > 0:
+        raise InputError("road must be rough inside its elements, got elements that are all flat")
+    blocks = (heights[first : first + _BLOCK] for first in range(0, len(heights), _BLOCK))
+    parts = [
+        _springs(_Punches.of(block, depth, pitch, youngs_modulus, bonded), reading, smoothing)
+        for block in blocks
+    ]
+    return Springs(
+        depth,
+        np.concatenate([part.energy_table for part in parts]),
+        np.concatenate([part.contact_table for part in parts]),
+        reading == "tangent",
+    )
+
+
+def _springs(punch: _Punches, reading: str, smoothing: str) -> Springs:
     tangent = reading == "tangent"
     stiffness = _stiffness(punch, tangent, smoothing)
     springs = tabulated(float(punch.delta[-1]), stiffness, punch.table, tangent)
@@ -100,19 +120,11 @@ class _Punches:
     table: np.ndarray
 
     @classmethod
-    def of(cls, heights: np.ndarray, pitch: float, youngs_modulus: float, bonded: bool) -> _Punches:
-        if not 0 < youngs_modulus < np.inf:
-            raise InputError(
-                f"youngs_modulus of the springs must be positive, got {youngs_modulus} Pa"
-            )
+    def of(
+        cls, heights: np.ndarray, depth: float, pitch: float, youngs_modulus: float, bonded: bool
+    ) -> _Punches:
         below_top = np.sort(heights.max(axis=-1, keepdims=True) - heights, axis=-1)
-        full = below_top[:, -1]
-        depth = float(full.max())
-        if not depth > 0:
-            raise InputError(
-                "road must be rough inside its elements, got elements that are all flat"
-            )
-        delta = graded(depth)
+        full, delta = below_top[:, -1], graded(depth)
         touching = np.array([np.searchsorted(row, delta, side="left") for row in below_top])
         radius = pitch * np.sqrt(touching / np.pi)
         ratio = radius / np.maximum(full[:, None] - delta, pitch)
@@ -128,7 +140,7 @@ def _stiffness(punch: _Punches, tangent: bool, smoothing: str) -> np.ndarray:
     if tangent and smoothing == "monotone":
         return own  # the punch only grows and the layer only thins: it never falls
     if tangent:
-        force = cumulative_trapezoid(own, punch.delta, axis=1, initial=0)
+        force = scipy.integrate.cumulative_trapezoid(own, punch.delta, axis=1, initial=0)
     else:
         force = own * punch.delta
     # an element all but flat is fully compressed at once: its last stiffness is all there is

@@ -128,5 +128,7 @@ def _write(path: Path, key: str, kernel: Kernel) -> None:
 
 
 def _digest(values: np.ndarray, geometry: np.ndarray) -> str:
-    content = np.ascontiguousarray(values).tobytes() + np.ascontiguousarray(geometry).tobytes()
-    return hashlib.sha256(repr((values.shape, values.dtype.str)).encode() + content).hexdigest()
+    digest = hashlib.blake2b(repr((values.shape, values.dtype.str)).encode())
+    for array in (values, geometry):
+        digest.update(np.ascontiguousarray(array).data)  # no copy: kernels may be large
+    return digest.hexdigest()

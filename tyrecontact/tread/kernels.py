@@ -14,6 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy import fft
 
 from tyrecontact.errors import InputError, unknown_name
 from tyrecontact.tread.elements import BLOCK, ElementLattice
@@ -99,9 +100,12 @@ def passive(
     """
     frequency = quadrature_frequencies(time_step, lags, quadrature)
     spectrum = _element_spectrum(np.append(frequency, 0), layers, shape, spacing)
-    growth = _contour_radius(lags) ** -np.arange(lags)
-    values = np.fft.irfft(spectrum[:-1], n=2 * lags, axis=0)[:lags] * growth[:, None, None]
-    values += np.multiply.outer(_tail_window(lags), spectrum[-1].real - values.sum(axis=0))
+    growth, window = _contour_radius(lags) ** -np.arange(lags), _tail_window(lags)
+    values = np.empty((lags, *shape))
+    for row in range(shape[0]):  # a row at a time takes little memory
+        turned = np.fft.irfft(spectrum[:-1, row], n=2 * lags, axis=0)[:lags] * growth[:, None]
+        creep = spectrum[-1, row].real - turned.sum(axis=0)
+        values[:, row] = turned + np.multiply.outer(window, creep)
     return Kernel(values, spacing, time_step)
 
 
@@ -191,7 +195,7 @@ def band_frequencies(time_step: float, lags: int) -> np.ndarray:
 def _causal_half(spectrum: np.ndarray) -> np.ndarray:
     """Twice the causal half of the inverse transform of a real spectrum, the first sample once."""
     lags = spectrum.shape[0] - 1
-    values = 2 * np.fft.irfft(spectrum, n=2 * lags, axis=0)[:lags]
+    values = fft.dct(spectrum, type=1, axis=0)[:lags] / lags
     values[0] /= 2
     return values
 

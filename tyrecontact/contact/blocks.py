@@ -17,6 +17,8 @@ from functools import lru_cache
 import numpy as np
 from scipy import fft
 
+from tyrecontact.fast import compiled
+
 #: steps of the shortest block, and how many of one length make one of the next
 SHORTEST, RATIO = 16, 4
 #: blocks of the longest length that the memory has at least
@@ -78,9 +80,14 @@ class Memory:
         """y of the coming step, shape (parts, waves)."""
         here = self._step % len(self._steps)
         recent = here % SHORTEST
-        numbers = self._recent[SHORTEST - recent :]
-        y: np.ndarray = np.einsum("jw,jpw->pw", numbers, self._steps[here - recent : here])
-        y += self._known[recent]
+        numbers, steps = self._recent[SHORTEST - recent :], self._steps[here - recent : here]
+        loops = compiled("tyrecontact.contact.compiled")
+        y: np.ndarray
+        if loops is not None:
+            y = loops.recent_sum(numbers, steps, self._known[recent])
+        else:
+            y = np.einsum("jw,jpw->pw", numbers, steps)
+            y += self._known[recent]
         return y
 
     def take(self, x: np.ndarray) -> None:

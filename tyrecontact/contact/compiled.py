@@ -212,3 +212,17 @@ def _precondition(stencil: Any, scale: Any, residual: Any, guess: Any, columns: 
                 + stencil[2] * (near[i, j + 1] + near[i + 2, j + 1])
                 + stencil[3] * (near[i, j] + near[i, j + 2] + near[i + 2, j] + near[i + 2, j + 2])
             )
+
+
+@compiled
+def recent_sum(numbers: Any, steps: Any, known: Any) -> Any:
+    """known + sum over steps of numbers x (contact/blocks.py, `Memory.sum`).
+
+    numbers : shape (steps, waves).  steps : (steps, parts, waves).  known : (parts, waves).
+    """
+    total = known.copy()
+    for step in range(len(steps)):
+        for part in range(total.shape[0]):
+            for wave in range(total.shape[1]):
+                total[part, wave] += numbers[step, wave] * steps[step, part, wave]
+    return total

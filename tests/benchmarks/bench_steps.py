@@ -15,6 +15,7 @@ import pytest
 from tests.benchmarks import cases, tamaas_solve
 from tests.benchmarks.cases import Window
 from tests.benchmarks.direct import DirectMethod
+from tyrecontact import fast
 
 Benchmark = Any  # pytest-benchmark's fixture
 #: at which both methods are compared [m]
@@ -57,6 +58,16 @@ def test_step(benchmark: Benchmark, elements: int, kernel: str) -> None:
     best = fastest(benchmark, lambda: cases.begun(simulation), rounds, longest)
     if kernel == "passive":
         _shares[elements] = best.share
+
+
+@pytest.mark.parametrize("kernel", [*cases.KERNELS, "static"])
+def test_step_without_numba(
+    benchmark: Benchmark, kernel: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(fast, "enabled", False)
+    simulation = cases.run(20, kernel)
+    benchmark.extra_info.update(case="plain", kernel=kernel)
+    fastest(benchmark, lambda: cases.begun(simulation), 3, cases.LONGEST)
 
 
 @pytest.mark.parametrize("lags", cases.MANY_LAGS)

@@ -144,13 +144,17 @@ def advance(bodies: Bodies, solver: Solver, state: State, moment: Moment) -> Equ
 
 
 def _start(solver: Solver, state: State) -> tuple[NewtonMethod, np.ndarray]:
-    """Where Newton's method begins: the last compression [m], or its extrapolation."""
+    """Where Newton's method begins: the last compression [m], or its extrapolation.
+
+    A parabola for `robust`, a straight line as in the thesis for its own method: steps that have
+    not converged would be carried too far by a parabola.
+    """
     last, *earlier = state.bonds.compression, *state.earlier_compressions
     if not solver.extrapolates:
         return solver.method, last
-    guess = 2 * last - earlier[0] if len(earlier) < 2 else 3 * (last - earlier[0]) + earlier[1]
     if solver.method is not robust:
-        return solver.method, guess
+        return solver.method, 2 * last - earlier[0]
+    guess = 2 * last - earlier[0] if len(earlier) < 2 else 3 * (last - earlier[0]) + earlier[1]
     return partial(robust, last=last), guess
 
 

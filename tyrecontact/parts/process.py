@@ -132,7 +132,7 @@ class Numerics(Part):
     initial_guess = Choice(
         "extrapolated",
         ["extrapolated", "last"],
-        "First guess: from the last two steps, or the last",
+        "First guess: from the last two steps (robust: three), or the last",
     )
     margin_interval = Count(
         1, (1, 100_000), "From one stability margin to the next: it takes half the time of a step",

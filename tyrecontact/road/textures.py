@@ -57,11 +57,14 @@ def self_affine(
         )
     count = 2 * pixels
     rng = np.random.default_rng(seed)
-    q = np.hypot(np.fft.fftfreq(count, pitch)[:, None], np.fft.rfftfreq(count, pitch))
+    frequency = np.fft.rfftfreq(count, pitch)
+    q = np.hypot(frequency[:, None], frequency)
     amplitude = np.maximum(q * roll_off_wavelength, 1.0) ** -(1 + hurst)
     amplitude[q > 1 / cut_off_wavelength] = 0.0
     amplitude[0, 0] = 0.0
-    spectrum = fft.rfft2(rng.standard_normal((count, count))) * amplitude
+    spectrum = fft.rfft2(rng.standard_normal((count, count)))
+    spectrum[: len(q)] *= amplitude
+    spectrum[len(q) :] *= amplitude[-2:0:-1]  # of negative frequencies the same
     heights = fft.irfft2(spectrum, s=(count, count))
     return Patch((heights * (rms / heights.std()))[:pixels, :pixels].copy(), pitch)
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from tyrecontact.contact.blocks import Lagged, Memory
 from tyrecontact.contact.neighbours import Neighbours
-from tyrecontact.contact.transforms import PARTS, Matrices, kernel_waves, transform
+from tyrecontact.contact.transforms import PARTS, Fourier, Matrices, kernel_waves, transform
 from tyrecontact.tread.kernels import Kernel
 
 
@@ -56,8 +56,18 @@ class Compliance:
 
     def from_others(self, force: np.ndarray) -> np.ndarray:
         """The same without what the force on an element does to itself."""
-        near = self._transform.product(self._grid_of_others, force.reshape(self.shape)).ravel()
+        grid = self._grid_of_others if force.dtype == float else self._single_grid_of_others
+        near = self._transform.product(grid, force.reshape(self.shape)).ravel()
         return near + self.shared * (force.sum() - force) if self.shared else near
+
+    @property
+    def is_transformed_fast(self) -> bool:
+        """Whether products are taken by fast transforms; those keep single precision."""
+        return isinstance(self._transform, Fourier)
+
+    @cached_property
+    def _single_grid_of_others(self) -> np.ndarray:
+        return self._grid_of_others.astype(np.float32)
 
     @cached_property
     def neighbours(self) -> Neighbours:

@@ -9,11 +9,13 @@ positive definite, its diagonal is 1, and conjugate gradients need a few product
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg.blas import daxpy
+from scipy.linalg import get_blas_funcs
 
 from tyrecontact.contact.lattice import Compliance
 from tyrecontact.contact.neighbours import convolved
 
+#: a solve that is asked for no more may calculate in single precision
+SINGLE = 1e-5
 #: of so few elements a product costs no more than its preconditioner
 _FEW = 1024
 
@@ -28,10 +30,13 @@ def newton_step(
     compliance : g_0.  stiffness : K [N/m].  imbalance : f [m], shape (elements,).
     accuracy : what may be left of the right-hand side of the symmetric form [-].
     """
+    unit = np.abs(imbalance).max()  # single precision knows no small numbers
     scale = np.sqrt(stiffness / (1 + stiffness * compliance.self_compliance))
-    y = _conjugate_gradients(compliance, scale, scale * imbalance, accuracy)
-    y *= scale
-    return imbalance - compliance.displacement(y)
+    kind = np.float32 if compliance.is_transformed_fast and accuracy >= SINGLE else float
+    y = _conjugate_gradients(
+        compliance, scale.astype(kind), (scale * imbalance / unit).astype(kind), accuracy
+    )
+    return imbalance - compliance.displacement(unit * scale * y)
 
 
 def _conjugate_gradients(
@@ -41,23 +46,25 @@ def _conjugate_gradients(
 
     scipy's `cg` spends three times as long on its operators as the products take at 20 x 20.
     """
-    y, residual = np.zeros_like(right), right.copy()
+    add = get_blas_funcs("axpy", (right,))
+    y, residual, direction = np.zeros_like(right), right.copy(), np.zeros_like(right)
     stencil, shape = compliance.neighbours.stencil(scale), compliance.shape
-    goal, rho, direction = accuracy**2 * (right @ right), 1.0, np.zeros_like(right)
+    goal, rho = accuracy**2 * (right @ right), 1.0
     for _ in range(right.size):
         if not residual @ residual > goal:
             break
         guess = residual
         if right.size > _FEW:
             near = convolved(stencil, (scale * residual).reshape(shape)).ravel()
-            guess = residual - scale * near
-        last, rho = rho, residual @ guess
+            near *= scale
+            guess = residual - near
+        last, rho = rho, float(residual @ guess)
         direction *= rho / last
         direction += guess
         image = compliance.from_others(scale * direction)
         image *= scale
         image += direction
-        share = rho / (direction @ image)
-        y = daxpy(direction, y, a=share)
-        residual = daxpy(image, residual, a=-share)
+        share = rho / float(direction @ image)
+        y = add(direction, y, a=share)
+        residual = add(image, residual, a=-share)
     return y

@@ -57,12 +57,12 @@ class Neighbours:
         level = min(int(mean * self._own * _LEVELS), _LEVELS - 1)
         stencil = self.stencils[level]
         excess = stencil[4] * square.max() / LARGEST
-        return stencil[:4] / max(excess, 1.0)
+        return (stencil[:4] / max(excess, 1.0)).astype(scale.dtype)
 
 
 def convolved(stencil: np.ndarray, field: np.ndarray) -> np.ndarray:
     """h * field, shape (ny, nx), zero beyond the patch."""
-    padded = np.zeros((field.shape[0] + 2, field.shape[1] + 2))
+    padded = np.zeros((field.shape[0] + 2, field.shape[1] + 2), field.dtype)
     padded[1:-1, 1:-1] = field
     beside = padded[:, :-2] + padded[:, 2:]
     result: np.ndarray = stencil[0] * field

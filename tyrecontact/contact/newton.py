@@ -25,13 +25,11 @@ import numpy as np
 
 from tyrecontact.contact.interface import Interface, Mirrored
 from tyrecontact.contact.lattice import Compliance
-from tyrecontact.contact.linear import newton_step
+from tyrecontact.contact.linear import SINGLE, newton_step
 from tyrecontact.fast import compiled
 
 #: relative accuracy of the linear solve: what Newton makes up for, and as good as a direct one
 _INEXACT, _EXACT = 1e-4, 1e-11
-#: no linear solve in single precision can be asked for more
-_SINGLE = 1e-5
 #: share of the tolerance that the linear solve may leave in the last Newton step
 _LAST = 0.1
 _HALVINGS = 40
@@ -86,7 +84,7 @@ def robust(
     loops = compiled("tyrecontact.contact.compiled")
     if loops is not None and isinstance(interface, Mirrored) and compliance.as_matrices:
         guesses = np.array([start] if last is None else [start, last])
-        limits = (tolerance, _POOR, _INEXACT, _SINGLE, _LAST, max_iterations, _HALVINGS)
+        limits = (tolerance, _POOR, _INEXACT, SINGLE, _LAST, max_iterations, _HALVINGS)
         return _compiled_robust(loops, compliance, interface, target, guesses, limits)
     point = _Point.at(compliance, interface, target, start)
     if last is not None and not point.residual <= _POOR * np.abs(target).max():
@@ -94,7 +92,8 @@ def robust(
         point = min(point, other, key=lambda choice: choice.potential(target))
     iterations, stuck = 0, False
     while not point.residual <= tolerance and iterations < max_iterations and not stuck:
-        accuracy = min(_INEXACT, max(_EXACT, _LAST * tolerance / point.residual))
+        # no more than needed to end now, and no more than Newton's own error is worth
+        accuracy = min(_INEXACT, max(SINGLE, _LAST * tolerance / point.residual))
         step = newton_step(compliance, point.stiffness, point.imbalance, accuracy)
         lower = _descend(compliance, interface, target, point, step)
         point, stuck = lower or point, lower is None

@@ -1,18 +1,20 @@
 """Loops that are compiled where numba is installed (the extra `fast`), and threads.
 
 numba halves the time of a step of 20 x 20 elements; everything works without it. Its functions are
-compiled at their first use, in some ten seconds, and kept on disk.
+compiled at their first use, in some ten seconds, and kept on disk; from there they come in half a
+second, so that it is for long runs, many runs, and the page.
 """
 
 from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from importlib import import_module
 from types import ModuleType
+from typing import Any
 
 from threadpoolctl import threadpool_limits
 
@@ -20,18 +22,30 @@ from threadpoolctl import threadpool_limits
 enabled = os.environ.get("TYRECONTACT_COMPILED", "1") != "0"
 
 
-def compiled(name: str) -> ModuleType | None:
-    """The module of compiled loops of this name, or None where there are none to be used."""
-    return _module(name) if enabled else None
+def loops() -> ModuleType | None:
+    """compiled.py, or None where there is nothing compiled to be used."""
+    return _loops() if enabled else None
 
 
 @cache
-def _module(name: str) -> ModuleType | None:
+def _loops() -> ModuleType | None:
     try:
         import numba  # noqa: F401
     except ImportError:  # also where it does not go with this numpy
         return None
-    return import_module(name)
+    return import_module("tyrecontact.compiled")
+
+
+def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A loop compiled by numba: kept on disk, free for other threads, divisions as in numpy."""
+    from numba import njit
+
+    options = {"nogil": True, "error_model": "numpy"}
+    try:
+        made: Callable[..., Any] = njit(cache=True, **options)(function)
+    except RuntimeError:  # there is nowhere to keep it
+        made = njit(**options)(function)
+    return made
 
 
 _lock = threading.Lock()

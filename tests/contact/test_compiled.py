@@ -101,6 +101,6 @@ def test_runs_agree(monkeypatch: pytest.MonkeyPatch, preset: str) -> None:
 
 
 def test_a_solution_has_the_same_fields(tread: LatticeKernel) -> None:
-    from tyrecontact.contact.compiled import Point
+    from tyrecontact.compiled import Point
 
     assert [field.name for field in fields(newton.Solution)][:5] == list(Point._fields[:5])

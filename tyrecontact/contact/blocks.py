@@ -17,7 +17,7 @@ from functools import lru_cache
 import numpy as np
 from scipy import fft
 
-from tyrecontact.fast import compiled
+from tyrecontact.fast import loops
 
 #: steps of the shortest block, and how many of one length make one of the next
 SHORTEST, RATIO = 16, 4
@@ -81,10 +81,10 @@ class Memory:
         here = self._step % len(self._steps)
         recent = here % SHORTEST
         numbers, steps = self._recent[SHORTEST - recent :], self._steps[here - recent : here]
-        loops = compiled("tyrecontact.contact.compiled")
+        fast = loops()
         y: np.ndarray
-        if loops is not None:
-            y = loops.recent_sum(numbers, steps, self._known[recent])
+        if fast is not None:
+            y = fast.recent_sum(numbers, steps, self._known[recent])
         else:
             y = np.einsum("jw,jpw->pw", numbers, steps)
             y += self._known[recent]

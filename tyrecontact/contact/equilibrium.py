@@ -21,7 +21,8 @@ _COMPRESSED, _TENSION, _RELEASED = (
     np.int8(state)
     for state in (ElementState.COMPRESSED, ElementState.TENSION, ElementState.RELEASED)
 )
-#: compliance, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py)
+#: compliance, interface, target, start, tolerance, max_iterations -> Solution (contact/newton.py;
+#: `robust` takes `last` besides)
 NewtonMethod = Callable[..., Solution]
 
 
@@ -61,7 +62,8 @@ class State:
     history : past forces and what they still do to the tread.
     bonds : what the elements of the interface remember.
     place : where the machine has moved the road.
-    earlier_compressions : [m] one and two steps before the last, shape (elements,) each.
+    earlier_compressions : [m] one and two steps before the last, where there were; shape
+        (elements,) each.
     displacement : of the tread [m] at the end of the last step, shape (elements,).
     energy : the account since the start.
     held : energy in the springs at the end of the last step [J].
@@ -80,7 +82,7 @@ class State:
         """Everything still, and the road at first touch or, where `start` [m] < 0, above it."""
         bonds, still = Bonds.none(bodies.tops + start), np.zeros(bodies.tops.size)
         place = Place(indentation=start, drive=start)
-        return cls(History(bodies.kernel), bonds, place, (bonds.compression,), still, Energy())
+        return cls(History(bodies.kernel), bonds, place, (), still, Energy())
 
 
 @dataclass(frozen=True)
@@ -150,7 +152,7 @@ def _start(solver: Solver, state: State) -> tuple[NewtonMethod, np.ndarray]:
     not converged would be carried too far by a parabola.
     """
     last, *earlier = state.bonds.compression, *state.earlier_compressions
-    if not solver.extrapolates:
+    if not (solver.extrapolates and earlier):
         return solver.method, last
     if solver.method is not robust:
         return solver.method, 2 * last - earlier[0]
@@ -190,7 +192,7 @@ def _move_on(
     state.held = held.after
     remember = state.history.settle if moment.at_rest else state.history.remember
     remember(force.reshape(bodies.kernel.shape))
-    state.earlier_compressions = (state.bonds.compression, state.earlier_compressions[0])
+    state.earlier_compressions = (state.bonds.compression, *state.earlier_compressions[:1])
     state.bonds, state.place, state.displacement = after, place, displacement
 
 

@@ -17,6 +17,48 @@ from tyrecontact.contact.transforms import PARTS, Fourier, Matrices, kernel_wave
 from tyrecontact.tread.kernels import Kernel
 
 
+class Products:
+    """What it takes to sum a kernel over the elements; made once for all that share it.
+
+    Parameters
+    ----------
+    values : displacement per force by offset [m/N], shape (ny, nx).
+
+    Attributes
+    ----------
+    grid : waves of the kernel, as the transform wants them.
+    """
+
+    def __init__(self, values: np.ndarray) -> None:
+        self.values, self.transform = values, transform(values.shape)
+        self._waves = kernel_waves(values)
+        self.grid = self.transform.grid(self._waves)
+
+    @cached_property
+    def grid_of_others(self) -> np.ndarray:
+        """The same without what the force on an element does to itself."""
+        return self.transform.grid(self._waves - self.values[0, 0])
+
+    @cached_property
+    def single_grid_of_others(self) -> np.ndarray:
+        return self.grid_of_others.astype(np.float32)
+
+    @cached_property
+    def neighbours(self) -> Neighbours:
+        """What preconditions solutions."""
+        own = float(self.values[0, 0])
+        return Neighbours(self._waves - own, own)
+
+    @cached_property
+    def as_matrices(self) -> tuple[np.ndarray, ...] | None:
+        """What products are taken by, where it is matrices (compiled.py, `Tread`)."""
+        if not isinstance(self.transform, Matrices):
+            return None
+        double = (self.transform.across, self.transform.along, self.grid)
+        single = (*double[:2], self.grid_of_others, self.neighbours.stencils)
+        return (*double, *(values.astype(np.float32) for values in single))
+
+
 class Compliance:
     """Compliance between all elements within a step, ready for products with element forces.
 
@@ -29,16 +71,14 @@ class Compliance:
     ----------
     shape : (ny, nx) elements.
     self_compliance : displacement of an element under its own force [m/N].
+    products : what does not depend on `shared`.
     """
 
     def __init__(self, values: np.ndarray, shared: float = 0.0) -> None:
         self.values, self.shared = values, shared
         self.shape: tuple[int, int] = values.shape
         self.self_compliance = float(values[0, 0]) + shared
-        self._transform = transform(self.shape)
-        self._waves = kernel_waves(values)
-        self._grid = self._transform.grid(self._waves)
-        self._grid_of_others = self._transform.grid(self._waves - values[0, 0])
+        self.products = Products(values)
 
     def with_shared(self, shared: float) -> Compliance:
         """The same with another rigid motion [m/N]; nothing is computed anew."""
@@ -51,38 +91,23 @@ class Compliance:
 
     def displacement(self, force: np.ndarray) -> np.ndarray:
         """Displacement [m] under element forces [N], both (ny nx,)."""
-        near = self._transform.product(self._grid, force.reshape(self.shape)).ravel()
+        products = self.products
+        near = products.transform.product(products.grid, force.reshape(self.shape)).ravel()
         return near + self.shared * force.sum() if self.shared else near
 
     def from_others(self, force: np.ndarray) -> np.ndarray:
         """The same without what the force on an element does to itself."""
-        grid = self._grid_of_others if force.dtype == float else self._single_grid_of_others
-        near = self._transform.product(grid, force.reshape(self.shape)).ravel()
+        products = self.products
+        grid = products.grid_of_others
+        if force.dtype == np.float32:
+            grid = products.single_grid_of_others
+        near = products.transform.product(grid, force.reshape(self.shape)).ravel()
         return near + self.shared * (force.sum() - force) if self.shared else near
 
     @property
     def is_transformed_fast(self) -> bool:
         """Whether products are taken by fast transforms; those keep single precision."""
-        return isinstance(self._transform, Fourier)
-
-    @cached_property
-    def _single_grid_of_others(self) -> np.ndarray:
-        return self._grid_of_others.astype(np.float32)
-
-    @cached_property
-    def neighbours(self) -> Neighbours:
-        """What preconditions solutions with it."""
-        own = float(self.values[0, 0])
-        return Neighbours(self._waves - own, own)
-
-    @cached_property
-    def as_matrices(self) -> tuple[np.ndarray, ...] | None:
-        """What products are taken by, where it is matrices (contact/compiled.py, `Tread`)."""
-        if not isinstance(self._transform, Matrices):
-            return None
-        double = (self._transform.across, self._transform.along, self._grid)
-        single = (*double[:2], self._grid_of_others, self.neighbours.stencils)
-        return (*double, *(values.astype(np.float32) for values in single))
+        return isinstance(self.products.transform, Fourier)
 
     def matrix(self, elements: np.ndarray) -> np.ndarray:
         """Dense matrix between the listed elements (flat indices) [m/N]."""

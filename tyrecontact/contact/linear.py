@@ -31,6 +31,8 @@ def newton_step(
     accuracy : what may be left of the right-hand side of the symmetric form [-].
     """
     unit = np.abs(imbalance).max()  # single precision knows no small numbers
+    if not unit > 0:
+        return imbalance.copy()
     scale = np.sqrt(stiffness / (1 + stiffness * compliance.self_compliance))
     kind = np.float32 if compliance.is_transformed_fast and accuracy >= SINGLE else float
     y = _conjugate_gradients(
@@ -48,7 +50,7 @@ def _conjugate_gradients(
     """
     add = get_blas_funcs("axpy", (right,))
     y, residual, direction = np.zeros_like(right), right.copy(), np.zeros_like(right)
-    stencil, shape = compliance.neighbours.stencil(scale), compliance.shape
+    stencil, shape = compliance.products.neighbours.stencil(scale), compliance.shape
     goal, rho = accuracy**2 * (right @ right), 1.0
     for _ in range(right.size):
         if not residual @ residual > goal:

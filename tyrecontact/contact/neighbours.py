@@ -1,4 +1,4 @@
-r"""A preconditioner from nearest neighbours for (1 + S g' S) y = S f (contact/newton.py).
+r"""A preconditioner from nearest neighbours for (1 + S g' S) y = S f (contact/linear.py).
 
 Were S the same number s for all elements, the inverse would be 1 - S h S, where h has the waves
 lambda' / (1 + s^2 lambda') of g'. Rubber that has had one time step to give way hardly knows of
@@ -17,7 +17,7 @@ from tyrecontact.contact.transforms import near_values
 #: mean values of s^2 g_00, which lies between 0 and 1, that are told apart
 _LEVELS = 64
 #: the largest s^2 times the largest wave of h stays below that
-LARGEST = 0.95
+_LARGEST = 0.95
 
 
 #: 1 + s^2 lambda' is no less in a tread that yields to every force
@@ -35,7 +35,7 @@ class Neighbours:
     Attributes
     ----------
     stencils : h [m/N] by level of s^2 g_00: of the element itself, those beside it along the patch
-        and across, those at its corners, and the largest wave of all that; shape (levels, 5).
+        and across, those at its corners, and what S^2 must not exceed, inverted; shape (levels, 5).
     """
 
     def __init__(self, waves: np.ndarray, own: float) -> None:
@@ -48,7 +48,8 @@ class Neighbours:
             centre + 2 * (a * along + b * across) + 4 * a * b * corner
             for a, b in ((1, 1), (1, -1), (-1, 1), (-1, -1))
         ]
-        self.stencils = np.stack([centre, along, across, corner, np.max(ends, axis=0)], axis=1)
+        largest = np.max(ends, axis=0) / _LARGEST
+        self.stencils = np.stack([centre, along, across, corner, largest], axis=1)
 
     def stencil(self, scale: np.ndarray) -> np.ndarray:
         """h for S [(N/m)^1/2], shape (elements,): the first four numbers of `stencils` [m/N]."""
@@ -56,7 +57,7 @@ class Neighbours:
         mean = square.sum() / max(np.count_nonzero(square), 1)
         level = min(int(mean * self._own * _LEVELS), _LEVELS - 1)
         stencil = self.stencils[level]
-        excess = stencil[4] * square.max() / LARGEST
+        excess = stencil[4] * square.max()
         return (stencil[:4] / max(excess, 1.0)).astype(scale.dtype)
 
 

@@ -26,7 +26,7 @@ import numpy as np
 from tyrecontact.contact.interface import Interface, Mirrored
 from tyrecontact.contact.lattice import Compliance
 from tyrecontact.contact.linear import SINGLE, newton_step
-from tyrecontact.fast import compiled
+from tyrecontact.fast import loops
 
 #: relative accuracy of the linear solve: what Newton makes up for, and as good as a direct one
 _INEXACT, _EXACT = 1e-4, 1e-11
@@ -81,11 +81,11 @@ def robust(
     last : another guess [m], taken where `start` is poor and this one has the lower energy: an
         extrapolation may reach far into springs that turn stiff, from where there is no way back.
     """
-    loops = compiled("tyrecontact.contact.compiled")
-    if loops is not None and isinstance(interface, Mirrored) and compliance.as_matrices:
-        guesses = np.array([start] if last is None else [start, last])
+    fast = loops()
+    if fast is not None and isinstance(interface, Mirrored) and compliance.products.as_matrices:
+        guesses = np.array([start] if last is None else [start, last], float)
         limits = (tolerance, _POOR, _INEXACT, SINGLE, _LAST, max_iterations, _HALVINGS)
-        return _compiled_robust(loops, compliance, interface, target, guesses, limits)
+        return _compiled_robust(fast, compliance, interface, target, guesses, limits)
     point = _Point.at(compliance, interface, target, start)
     if last is not None and not point.residual <= _POOR * np.abs(target).max():
         other = _Point.at(compliance, interface, target, last)
@@ -105,22 +105,22 @@ def robust(
 
 
 def _compiled_robust(
-    loops: ModuleType,
+    fast: ModuleType,
     compliance: Compliance,
     interface: Mirrored,
     target: np.ndarray,
     guesses: np.ndarray,
     limits: tuple[float, ...],
 ) -> Solution:
-    springs, matrices = interface.springs, compliance.as_matrices or ()
-    found, iterations = loops.robust(
+    springs, matrices = interface.springs, compliance.products.as_matrices or ()
+    found, iterations = fast.robust(
         springs.cells,
         springs.depth,
         interface.bonded,
-        loops.Tread(*matrices, compliance.self_compliance, compliance.shared),
+        fast.Tread(*matrices, compliance.self_compliance, compliance.shared),
         target,
         guesses,
-        loops.Limits(*limits),
+        fast.Limits(*limits),
     )
     return Solution(
         found.compression, found.force, found.stiffness, found.energy, found.displacement,

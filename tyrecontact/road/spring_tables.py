@@ -16,7 +16,7 @@ import numpy as np
 from scipy.interpolate import PchipInterpolator, PPoly
 
 from tyrecontact.errors import InputError
-from tyrecontact.fast import compiled
+from tyrecontact.fast import loops
 
 #: number of cells of the tables of springs that are made from heights
 CELLS = 256
@@ -55,7 +55,7 @@ class Springs:
     def count(self) -> int:
         return self.energy_table.shape[0]
 
-    @property
+    @cached_property
     def nodes(self) -> np.ndarray:
         """Compressions of the tables' nodes [m], shape (cells + 1,)."""
         return graded(self.depth, self.energy_table.shape[1] - 1)
@@ -158,13 +158,9 @@ class Springs:
         return np.arange(self.count) * self.energy_table.shape[1]
 
     @cached_property
-    def _nodes(self) -> np.ndarray:
-        return self.nodes
-
-    @cached_property
     def _widths(self) -> np.ndarray:
         """Of the cells [m]; beyond the last node nothing changes, however wide that cell."""
-        return np.append(np.diff(self._nodes), self.depth)
+        return np.append(np.diff(self.nodes), self.depth)
 
     def _cell(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number of the cell, and the distance from its lower node [m]."""
@@ -172,7 +168,7 @@ class Springs:
         np.sqrt(place, out=place)
         place *= self.energy_table.shape[1] - 1
         cell = place.astype(np.intp)
-        return cell, compression - self._nodes.take(cell)
+        return cell, compression - self.nodes.take(cell)
 
     def _look_up(self, compression: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Distance from the cell's node [m], and the coefficients of U, powers first."""
@@ -182,9 +178,9 @@ class Springs:
 
     def _between_nodes(self, compression: np.ndarray, column: int) -> np.ndarray:
         compression = np.asarray(compression, float)
-        loops = compiled("tyrecontact.road.compiled")
-        if loops is not None and compression.ndim == 1:
-            values: np.ndarray = loops.between_nodes(
+        fast = loops()
+        if fast is not None and compression.shape == (self.count,):
+            values: np.ndarray = fast.between_nodes(
                 self._contact_cells, column, self.depth, compression
             )
             return values
@@ -192,7 +188,7 @@ class Springs:
         flat, columns = self._contact_cells.reshape(-1), self.contact_table.shape[2]
         here = (cell + self._first_row) * columns + column
         low = flat.take(here)
-        rise = flat.take(here + columns * (cell < self._nodes.size - 1)) - low
+        rise = flat.take(here + columns * (cell < self.nodes.size - 1)) - low
         rise *= np.minimum(x / self._widths.take(cell), 1.0)
         rise += low
         return rise

@@ -1,9 +1,11 @@
-"""`newton.robust` compiled by numba, for elements that answer alike in push and pull.
+"""Loops compiled by numba: look-ups in springs, Newton's method, the latest steps of the memory.
 
-The same algorithm in the same order, but for two things: conjugate gradients calculate in single
-precision, which is enough for what Newton's method makes up for anyway, and sums are rounded
-otherwise. It serves `Mirrored` springs on patches whose products are taken by matrices
-(contact/transforms.py), and is used where numba is installed (the extra `fast`).
+The whole of `newton.robust` for elements that answer alike in push and pull (`Mirrored`), on
+patches whose products are taken by matrices (contact/transforms.py). The same method, but for three
+things: its linear solves are always preconditioned, they calculate in single precision, which is
+enough for what Newton's method makes up for anyway, and sums are rounded otherwise. All of it
+stands in this file, since what numba keeps on disk is made anew when the file of a function
+changes, not when one that it calls does.
 """
 
 from __future__ import annotations
@@ -12,8 +14,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tyrecontact.contact.neighbours import LARGEST
-from tyrecontact.road.compiled import cell_of, compiled, respond
+from tyrecontact.fast import compiled
 
 
 class Tread(NamedTuple):
@@ -59,6 +60,39 @@ class Point(NamedTuple):
 
 
 @compiled
+def _cell_of(compression: float, depth: float, cells: int) -> Any:
+    """Number of the cell of a compression [m] >= 0, and the distance from its lower node [m]."""
+    place = np.sqrt(min(compression / depth, 1.0))
+    cell = int(place * cells) if place >= 0 else 0  # also of what is no number
+    return cell, compression - depth * (cell / cells) ** 2
+
+
+@compiled
+def _respond(coefficients: Any, x: float) -> Any:
+    """U, U' and U'' of a polynomial of the fifth degree, by Horner's scheme."""
+    u = f = k = coefficients[0]
+    for power in range(1, 4):
+        u = u * x + coefficients[power]
+        f = f * x + u
+        k = k * x + f
+    u = u * x + coefficients[4]
+    return u * x + coefficients[5], f * x + u, 2 * k
+
+
+@compiled
+def between_nodes(table: Any, column: int, depth: float, compression: Any) -> Any:
+    """A column of a table (elements, cells + 1, columns) at compressions [m] >= 0, (elements,)."""
+    result, cells = np.empty(compression.size), table.shape[1] - 1
+    for i in range(compression.size):
+        cell, x = _cell_of(compression[i], depth, cells)
+        result[i] = table[i, cell, column]
+        if cell < cells:
+            width = depth * (2 * cell + 1) / cells**2
+            result[i] += (table[i, cell + 1, column] - result[i]) * min(x / width, 1.0)
+    return result
+
+
+@compiled
 def robust(
     table: Any, depth: float, bonded: Any, tread: Any, target: Any, guesses: Any, limits: Any
 ) -> Any:
@@ -100,8 +134,8 @@ def _point(table: Any, depth: float, bonded: Any, tread: Any, target: Any, d: An
     cells, total = table.shape[1] - 1, 0.0
     for i in range(d.size):
         if d[i] > 0 or bonded[i]:
-            cell, x = cell_of(abs(d[i]), depth, cells)
-            energy[i], size, stiffness[i] = respond(table[i, cell], x)
+            cell, x = _cell_of(abs(d[i]), depth, cells)
+            energy[i], size, stiffness[i] = _respond(table[i, cell], x)
             force[i] = np.copysign(size, d[i])
             total += force[i]
     displacement = _product(tread.across, tread.along, tread.grid, force)
@@ -109,7 +143,7 @@ def _point(table: Any, depth: float, bonded: Any, tread: Any, target: Any, d: An
     for i in range(d.size):
         displacement[i] += tread.shared * total
         imbalance[i] = target[i] - displacement[i] - d[i]
-        if not abs(imbalance[i]) <= residual:  # written so that a NaN is taken
+        if abs(imbalance[i]) > residual or np.isnan(imbalance[i]):  # what is no number stays
             residual = abs(imbalance[i])
         potential += force[i] * (displacement[i] / 2 + d[i] - target[i]) - energy[i]
     return Point(d, force, stiffness, energy, displacement, imbalance, residual, potential)
@@ -147,7 +181,7 @@ def _newton_step(tread: Any, stiffness: Any, imbalance: Any, accuracy: float) ->
 @compiled
 def _conjugate_gradients(tread: Any, scale: Any, residual: Any, step: Any, accuracy: float) -> None:
     """Take g_0 S y from the step, where (1 + S g' S) y = residual."""
-    count, rho, size = residual.size, 1.0, _square(residual)
+    count, rho, size = residual.size, np.float32(1.0), np.dot(residual, residual)
     direction, guess = np.zeros(count, np.float32), np.empty(count, np.float32)
     force, stencil, goal = np.empty(count, np.float32), _stencil(tread, scale), accuracy**2 * size
     own, shared = np.float32(tread.own), np.float32(tread.shared)
@@ -155,9 +189,7 @@ def _conjugate_gradients(tread: Any, scale: Any, residual: Any, step: Any, accur
         if not size > goal:
             return
         _precondition(stencil, scale, residual, guess, tread.along.shape[1])
-        before, rho, total = rho, 0.0, np.float32(0.0)
-        for i in range(count):
-            rho += residual[i] * guess[i]
+        before, rho, total = rho, np.dot(residual, guess), np.float32(0.0)
         turn = np.float32(rho / before)
         for i in range(count):
             direction[i] = guess[i] + turn * direction[i]
@@ -172,15 +204,7 @@ def _conjugate_gradients(tread: Any, scale: Any, residual: Any, step: Any, accur
         for i in range(count):
             step[i] -= part * (others[i] + own * force[i])
             residual[i] -= part * (scale[i] * others[i] + direction[i])
-        size = _square(residual)
-
-
-@compiled
-def _square(values: Any) -> float:
-    total = 0.0
-    for value in values:
-        total += value * value
-    return total
+        size = np.dot(residual, residual)
 
 
 @compiled
@@ -190,9 +214,9 @@ def _stencil(tread: Any, scale: Any) -> Any:
     for value in scale:
         largest = max(largest, value * value)
         touching += value > 0
-    level = int(_square(scale) / max(touching, 1) * tread.own * levels)
+    level = int(np.dot(scale, scale) / max(touching, 1) * tread.own * levels)
     stencil = tread.stencils[min(level, levels - 1)]
-    return stencil / np.float32(max(stencil[4] * largest / LARGEST, 1.0))
+    return stencil / np.float32(max(stencil[4] * largest, 1.0))
 
 
 @compiled

@@ -6,6 +6,7 @@ several; 1e-9 of the largest force leaves room for what rounding adds over a run
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,8 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.direct import DirectMethod, DirectStep
-from tyrecontact import Scenario, Simulation, presets
+from tyrecontact import Scenario, Simulation, fast, presets
+from tyrecontact.contact import linear, transforms
 from tyrecontact.loading import Schedule
 from tyrecontact.results import Step
 
@@ -86,6 +88,19 @@ def assert_same(steps: list[Step], direct: list[DirectStep]) -> None:
     assert [step.releases for step in steps] == [step.releases for step in direct]
 
 
+@pytest.fixture(params=["compiled", "plain", "Fourier"])
+def way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """How a step is calculated: compiled (with numba) or not, with matrices or fast transforms."""
+    monkeypatch.setattr(fast, "enabled", request.param == "compiled")
+    if request.param == "Fourier":
+        monkeypatch.setattr(transforms, "MATRICES_UP_TO", 0)
+        monkeypatch.setattr(linear, "_FEW", 0)
+    transforms.transform.cache_clear()
+    yield
+    transforms.transform.cache_clear()
+
+
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_every_kernel_pressed_and_pulled_off(quick_cycle: Scenario, kernel: str) -> None:
     quick_cycle.numerics.param.update(**KERNELS[kernel])
@@ -117,6 +132,7 @@ def test_every_law_of_adhesion(quick_cycle: Scenario, law: str, solver: str) -> 
     assert sum(step.releases for step in direct) > 30
 
 
+@pytest.mark.usefixtures("way")
 @pytest.mark.parametrize("hold", [2e-4, 0.015])
 @pytest.mark.parametrize("drive", DRIVES)
 def test_every_drive_with_a_hold_of_a_few_steps_or_at_rest(
@@ -159,7 +175,8 @@ def test_any_number_of_lags(quick: Scenario, lags: int) -> None:
     assert_same(*both(of_lags(tight(quick), lags)))
 
 
-def test_a_lattice_too_large_for_dense_products(quick: Scenario) -> None:
+@pytest.mark.usefixtures("way")
+def test_a_lattice_of_many_elements(quick: Scenario) -> None:
     quick.road.param.update(elements=33, size=33e-3, pixel=1e-4)
     quick.loading.rate = 0.4
     assert_same(*both(of_lags(tight(quick), 11)))

@@ -15,6 +15,7 @@ import pytest
 import xarray as xr
 
 from tyrecontact import Scenario, Simulation
+from tyrecontact.errors import InputError
 from tyrecontact.fields import FieldTable, nearest
 from tyrecontact.results import FIELDS, SCALARS, Record, Results
 from tyrecontact.steps import Step
@@ -64,9 +65,9 @@ def test_at_every_moment_first_and_last_are_there_at_an_even_stride(rows: int) -
         assert len(set(np.diff(kept[:-1]))) <= 1
         # never fewer than half of what fits, the last one beside them
         assert min(index + 1, rows / 2) <= len(kept) <= rows + 1
-        np.testing.assert_array_equal(found.element_force[:, 0, 0], kept)
-        np.testing.assert_array_equal(found.compression[:, 3, 4], kept)
-        np.testing.assert_array_equal(found.state[:, 1, 2], kept % 100)
+        np.testing.assert_array_equal(found.columns["element_force"][:, 0, 0], kept)
+        np.testing.assert_array_equal(found.columns["compression"][:, 3, 4], kept)
+        np.testing.assert_array_equal(found.columns["state"][:, 1, 2], kept % 100)
         np.testing.assert_array_equal(found.contact_force, np.arange(index + 1))
 
 
@@ -90,14 +91,14 @@ def test_a_run_at_its_end_is_handed_out_without_a_copy(rows: int, steps: int) ->
         broken.append(replace(step(index), stop_reason="broken" if index == steps - 1 else ""))
     for record in (whole, broken):
         found = collected(record)
-        assert np.shares_memory(found.age, record.columns["age"])
+        assert np.shares_memory(found.columns["age"], record.columns["age"])
         assert found.field_steps[-1] == steps - 1
-        np.testing.assert_array_equal(found.element_force[:, 0, 0], found.field_steps)
+        np.testing.assert_array_equal(found.columns["element_force"][:, 0, 0], found.field_steps)
         assert record.fields(-1)[0] == steps - 1
         assert np.all(record.fields(-1)[1]["element_force"] == steps - 1)
     left = recorded(steps, rows, of=100)  # more might come
     np.testing.assert_array_equal(collected(left).field_steps, collected(whole).field_steps)
-    np.testing.assert_array_equal(collected(left).age, collected(whole).age)
+    np.testing.assert_array_equal(collected(left).columns["age"], collected(whole).columns["age"])
 
 
 @pytest.mark.parametrize("memory", [0.0, 1.0, 2 * ROW])
@@ -137,7 +138,7 @@ def test_what_was_collected_is_not_changed_by_later_steps() -> None:
         kept.append(collected(record))
     for index, found in enumerate(kept):
         assert len(found) == index + 1
-        np.testing.assert_array_equal(found.element_force[:, 0, 0], found.field_steps)
+        np.testing.assert_array_equal(found.columns["element_force"][:, 0, 0], found.field_steps)
 
 
 @pytest.fixture
@@ -169,8 +170,8 @@ def test_a_reader_never_sees_rows_half_thinned() -> None:
             np.all(fields["element_force"] == number)
             and np.ptp(last["element_force"]) == 0
             and last["element_force"][0, 0] >= wanted
-            and np.array_equal(found.element_force[:, 0, 0], found.field_steps)
-            and np.array_equal(found.compression[:, 3, 4], found.field_steps)
+            and np.array_equal(found.columns["element_force"][:, 0, 0], found.field_steps)
+            and np.array_equal(found.columns["compression"][:, 3, 4], found.field_steps)
             and np.array_equal(found.contact_force, np.arange(len(found)))
             and found.field_steps[-1] == len(found) - 1
         )
@@ -230,6 +231,13 @@ def test_the_data_set_has_its_own_times_for_fields(thin: Results) -> None:
     np.testing.assert_allclose(total, there, atol=1e-12)
     for coordinate in ("field_time", "field_step"):
         assert {"units", "long_name"} <= set(dataset[coordinate].attrs)
+
+
+def test_a_map_is_not_taken_for_that_of_another_step(thin: Results) -> None:
+    """Row n of thinned fields is not step n."""
+    with pytest.raises(InputError, match=r"results\.element_force must have a map for every step"):
+        _ = thin.element_force
+    assert thin.columns["element_force"].shape[0] == thin.field_steps.size < len(thin)
 
 
 @pytest.mark.parametrize("engine", ["scipy", "netcdf4"])

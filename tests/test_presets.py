@@ -97,8 +97,8 @@ def test_thesis_instability_departs_grossly_from_the_statics(preset_run: Runs) -
     results, still = preset_run("thesis-instability"), preset_run("quasi-static")
     error = np.abs(results.contact_force / np.maximum(still.contact_force, 10) - 1)
     failed = results.failed_at
-    # several times the force: once wild, a modulus 1e-12 larger makes it 2.2 to 4.7
-    assert error[failed:].max() > 1.5
+    # several times the force: how many is chance, a modulus 1e-12 larger makes it 3.2 to 7.8
+    assert error[failed:].max() > 2
     assert np.median(error[failed:]) > 0.1  # and not in a single step
     begun = still.contact_force[: failed - 20] > 10  # below, inertia and damping show more
     assert error[: failed - 20][begun].max() < 0.1  # but it had begun like any other

@@ -10,6 +10,7 @@ import numpy as np
 
 from tyrecontact import key_figures
 from tyrecontact.contact.bonds import ElementState
+from tyrecontact.errors import InputError
 from tyrecontact.fields import FieldTable, Moment, nearest
 from tyrecontact.parts.process import Numerics
 from tyrecontact.scenario import Scenario
@@ -114,9 +115,17 @@ class Results:
 
     def __getattr__(self, name: str) -> np.ndarray:
         try:
-            return self.__dict__["columns"][name]
+            column: np.ndarray = self.__dict__["columns"][name]
         except KeyError:
             raise AttributeError(f"Results has no {name!r}") from None
+        if name in FIELDS and self.kept is not None:
+            # row n is not step n, which nobody would see from the numbers
+            raise InputError(
+                f"results.{name} must have a map for every step, got {len(column)} of "
+                f"{len(self)}: ask results.fields(step), take results.columns[{name!r}] with "
+                "results.field_steps, or raise numerics.field_memory"
+            )
+        return column
 
     def __len__(self) -> int:
         return len(self.columns["time"])

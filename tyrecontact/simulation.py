@@ -40,7 +40,8 @@ class Simulation:
     """A scenario made ready to run.
 
     Iterating yields a `Step` for each time step and starts from rest every time; `len` is the
-    number of steps of a complete run. To cancel is to stop asking.
+    number of steps of a complete run. To cancel is to stop asking, and to let go of the iterator:
+    products of matrices use one thread while there is one.
 
     Parameters
     ----------

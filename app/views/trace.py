@@ -15,12 +15,14 @@ def extremes(values: np.ndarray, stretch: int) -> np.ndarray:
     """Places of the least and the largest in each stretch of so many values, increasing."""
     if stretch <= 2:
         return np.arange(values.size)
-    whole = values.size // stretch * stretch
-    rows, begins = values[:whole].reshape(-1, stretch), np.arange(0, whole, stretch)
-    found = [begins + rows.argmin(axis=1), begins + rows.argmax(axis=1)]
-    if whole < values.size:
-        rest = values[whole:]
-        found.append(np.array([whole + rest.argmin(), whole + rest.argmax()]))
+    whole, found = values.size // stretch * stretch, []
+    # what is no number, in a run that is lost, hides neither
+    for least, unknown in ((np.argmin, np.inf), (np.argmax, -np.inf)):
+        known = np.where(np.isnan(values), unknown, values)
+        places = least(known[:whole].reshape(-1, stretch), axis=1)
+        found.append(np.arange(0, whole, stretch) + places)
+        if whole < values.size:
+            found.append(np.array([whole + least(known[whole:])]))
     return np.unique(np.concatenate(found))
 
 

@@ -13,8 +13,6 @@ import numpy as np
 from tests.benchmarks.cases import KERNELS, MANY_LAGS, SIZES
 
 BEGIN, END = "<!-- benchmarks: begin -->", "<!-- benchmarks: end -->"
-#: fitted exponents are known to that
-_FIT = 0.05
 
 
 @dataclass(frozen=True)
@@ -75,21 +73,23 @@ def judged(found: Measured) -> list[Line]:
         Line("20 x 20, passive, 256 lags: times as fast as the direct method",
              found.direct(20, "passive") / step, "150", lambda x: x >= 150, ".0f"),
         Line("20 x 20, passive, 256 lags: steps/s", 1 / step, "1500", lambda x: x >= 1500, ".0f"),
-        Line("`default` in 1024 steps, kernel and road known, s",
+        Line("`default` in 1024 steps, kernel cached, in a new process (its import aside), s",
+             found.of("default"), "< 1", lambda x: x < 1),
+        Line("the same again in that process, which knows the road, s",
              found.of("default", "fastest"), "< 1", lambda x: x < 1),
         Line("64 x 64: a dynamic step in solves by Tamaas", _in_solves(found, 64), "<= 1.5",
              lambda x: x <= 1.5),
         Line("256 x 256: a dynamic step in solves by Tamaas", _in_solves(found, 256), "<= 1",
              lambda x: x <= 1),
-        Line("cost against M log M: exponent", exponent_of_size(found), "<= 1",
-             lambda x: x <= 1 + _FIT, ".2f"),
-        Line("cost against the logarithm of the lags: exponent", exponent_of_lags(found), "<= 1",
-             lambda x: x <= 1 + _FIT, ".2f"),
+        Line("a step against M log M, from 64 x 64 on: exponent", exponent_of_size(found),
+             "<= 1", lambda x: round(x, 2) <= 1, ".2f"),
+        Line("a step against the logarithm of the lags: exponent", exponent_of_lags(found),
+             "<= 1", lambda x: round(x, 2) <= 1, ".2f"),
         Line("default kernel, cold, s", found.of("kernel"), "< 1.5", lambda x: x < 1.5),
         Line("springs from 2000 x 2000 heights, new process, s", found.of("springs"), "< 0.5",
              lambda x: x < 0.5),
-        Line("forces against the direct method, largest difference", max(differences), "1e-9",
-             lambda x: x <= 1e-9, ".1e"),
+        Line("forces against the direct method, 40 steps of each kernel: largest difference",
+             float(np.max(differences)), "1e-9", lambda x: x <= 1e-9, ".1e"),
     ]  # fmt: skip
 
 
@@ -124,9 +124,12 @@ def text(found: Measured) -> str:
     lines = [
         _setting(found),
         table(["judged by", "measured", "asked", ""], [line.row() for line in judged(found)]),
-        "A step in the middle of a run, with a full memory: mean over as many steps as there are "
-        "lags, or as fit into 100 s. In brackets: times as fast as the direct method (measured at "
-        "20 x 20; its cost grows at least as M^2).",
+        "A step in the middle of a run, with a full memory: mean over the 256 steps of a window (a "
+        "window takes 256 times as long), or over those that fit into 100 s. In brackets: times as "
+        "fast as the direct method (measured at 20 x 20; its cost grows at least as M^2). The "
+        "band-limited kernel has 65 lags, interpolated to 257 at factor 4, and the thesis' Newton; "
+        "it is stable only at a smaller depth on fine lattices. The patch is 20 mm wide: smaller "
+        "elements need more iterations. Numbers with numba, but for the second row.",
         table(
             ["elements", "contacts", *KERNELS, "static", "Tamaas, one solve", "peak memory"],
             [
@@ -194,13 +197,22 @@ def _time_and_ratio(seconds: float, direct: float, least: str = "") -> str:
 def _runs(found: Measured) -> list[list[str]]:
     loop, steps = found.of("default", "loop"), found.of("default", "steps")
     rows = [
-        ("`default` in 1024 steps, kernel and road known", found.of("default", "fastest")),
-        ("the same from a new process, its import aside", found.of("default")),
-        ("its steps alone", loop, steps / loop, found.direct(20, "passive") * steps / loop),
+        (
+            "the steps of `default`, 1025",
+            loop,
+            steps / loop,
+            found.direct(20, "passive") * steps / loop,
+        ),
     ]
-    for name in ("adhesion", "thesis-factor-4", "quasi-static"):
+    kernels = (
+        ("adhesion", "passive"),
+        ("thesis-factor-4", "band-limited"),
+        ("quasi-static", "static"),
+    )
+    for name, kernel in kernels:
         seconds, count = found.of("run", preset=name), found.of("run", "steps", preset=name)
-        rows.append((f"`{name}`, {_or_dash(count, '{:.0f}')} steps", seconds, count / seconds))
+        rate, direct = count / seconds, found.direct(20, kernel) * count / seconds
+        rows.append((f"`{name}`, {_or_dash(count, '{:.0f}')} steps", seconds, rate, direct))
     rows += [
         ("default kernel", found.of("kernel", "fastest")),
         ("springs from 2000 x 2000 heights", found.of("springs", "fastest")),

@@ -52,7 +52,7 @@ def test_a_step_is_judged_against_a_solve_of_its_size() -> None:
 @pytest.mark.parametrize(("power", "verdict"), [(1.0, "yes"), (1.2, "**no**")])
 def test_growth_is_judged_against_m_log_m(power: float, verdict: str) -> None:
     rows = [step(n, (n**2 * np.log(n**2)) ** power) for n in SIZES]
-    assert verdicts(measured(*rows))["cost against M log M: exponent"] == verdict
+    assert verdicts(measured(*rows))["a step against M log M, from 64 x 64 on: exponent"] == verdict
 
 
 def test_an_exponent_needs_three_points() -> None:

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from tyrecontact import fast
 from tyrecontact.contact.interface import Interface, Mirrored
 from tyrecontact.contact.lattice import LatticeKernel
 from tyrecontact.contact.newton import Solution, robust, thesis
@@ -90,14 +91,14 @@ def test_bonded_elements_are_solved_in_tension(
 def test_one_linear_spring_on_its_own(
     linear_springs: Callable[[np.ndarray], Springs], method: Method
 ) -> None:
-    """d = b / (1 + g k), in one iteration; a compiled one is solved in single precision first."""
+    """d = b / (1 + g k), in one iteration, or two where the first is in single precision."""
     compliance, stiffness, target = 2.5e-5, 8e4, np.array([1e-5])
     tread = LatticeKernel(Kernel(np.full((1, 1, 1), compliance), 1e-3, np.inf))
     interface = Mirrored(linear_springs(np.array([stiffness])), np.zeros(1, bool))
     solution = method(tread.now, interface, target, target, 1e-18, 5)
     assert solution.compression[0] == pytest.approx(1e-5 / (1 + compliance * stiffness))
     assert solution.force[0] == pytest.approx(stiffness * solution.compression[0])
-    assert solution.iterations in (1, 2)
+    assert solution.iterations <= (2 if method is robust and fast.loops() else 1)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -162,7 +163,7 @@ def test_too_few_iterations_are_owned_up_to(
     target = 1e-4 + tops
     solution = method(tread.now, free, target, tops, TOLERANCE, 1)
     assert not solution.converged
-    assert solution.iterations in (1, 2)
+    assert solution.iterations == 1
     assert solution.residual > TOLERANCE
     honest = residual(tread, free, target, solution.compression)
     assert solution.residual == pytest.approx(honest, rel=1e-6)

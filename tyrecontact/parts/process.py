@@ -144,7 +144,7 @@ class Numerics(Part):
         "A hold that outlasts the kernel's memory: at rest in growing steps, or step by step",
     )
     field_memory = Quantity(
-        100e6, (0.0, 4e9), "B",
-        "For maps of the elements: full, every second one goes; 0: first and last alone",
+        50e6, (0.0, 4e9), "B",
+        "For maps of the elements: full, every second one goes; the first and the last always stay",
         ("MB", 1e-6),
     )  # fmt: skip

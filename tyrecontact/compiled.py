@@ -1,11 +1,9 @@
 """Loops compiled by numba: look-ups in springs, Newton's method, the latest steps of the memory.
 
-The whole of `newton.robust` for elements that answer alike in push and pull (`Mirrored`), on
-patches whose products are taken by matrices (contact/transforms.py). The same method, but for three
-things: its linear solves are always preconditioned, they calculate in single precision, which is
-enough for what Newton's method makes up for anyway, and sums are rounded otherwise. All of it
-stands in this file, since what numba keeps on disk is made anew when the file of a function
-changes, not when one that it calls does.
+`newton.robust` for elements that answer alike in push and pull (`Mirrored`), on patches whose
+products are taken by matrices (contact/transforms.py). Sums are rounded otherwise, linear solves
+always preconditioned, and in single precision, enough for what Newton's method makes up for. All is
+in this file: numba makes anew what it keeps when a function's own file changes, and no other.
 """
 
 from __future__ import annotations
@@ -34,8 +32,8 @@ class Tread(NamedTuple):
 
 
 class Limits(NamedTuple):
-    """Tolerance [m]; share of b beyond which a guess is poor; of the linear solve the loosest and
-    the tightest accuracy, and the share of the tolerance; iterations and halvings at most."""
+    """Tolerance [m]; share of b beyond which a guess is poor; of linear solves the loosest and the
+    tightest accuracy, and the share of the tolerance; iterations and halvings at most."""
 
     tolerance: float
     poor: float

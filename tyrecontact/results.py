@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tyrecontact import key_figures
-from tyrecontact.contact.bonds import ElementState
+from tyrecontact.dataset import dataset
 from tyrecontact.errors import InputError
 from tyrecontact.fields import FieldTable, Moment, nearest
 from tyrecontact.parts.process import Numerics
@@ -214,44 +214,8 @@ class Results:
         Fields that are not kept of all steps have the dimension field_time in the place of time,
         and `field_step` numbers their steps: nothing is filled up with what was not kept.
         """
-        import xarray as xr  # a third of a second that a run without files need not wait for
-
-        ny, nx = self.columns["element_force"].shape[1:]
-        middle = {
-            "y": (np.arange(ny) + 0.5) * self.spacing,
-            "x": (np.arange(nx) + 0.5) * self.spacing,
-        }
-        dataset = xr.Dataset(
-            coords={
-                "time": ("time", self.columns["time"], {"units": "s", "long_name": "Time"}),
-                "y": ("y", middle["y"], {"units": "m", "long_name": "Element centre, y"}),
-                "x": ("x", middle["x"], {"units": "m", "long_name": "Element centre, x"}),
-            },
-            attrs={
-                "title": "tyrecontact run",
-                "stop_reason": self.stop_reason,
-                "scenario": json.dumps(self.scenario.to_dict()),
-            },
+        found = dataset(self.columns, self.spacing, self.kept).assign_attrs(
+            stop_reason=self.stop_reason, scenario=json.dumps(self.scenario.to_dict())
         )
-        if self.kept is not None:
-            dataset = dataset.assign_coords(self._field_times(self.kept))
-        at = "time" if self.kept is None else "field_time"
-        for name, (unit, meaning, _) in {**SCALARS, **FIELDS}.items():
-            dimensions = (at, "y", "x") if name in FIELDS else ("time",)
-            attributes = {"units": unit, "long_name": meaning}
-            dataset[name] = (dimensions, self.columns[name], attributes)
-        dataset["drive"].attrs["units"] = "N" if self.scenario.loading.drive == "force" else "m"
-        dataset["state"].attrs["flag_values"] = np.array(list(ElementState), np.int8)
-        dataset["state"].attrs["flag_meanings"] = " ".join(s.name.lower() for s in ElementState)
-        return dataset
-
-    def _field_times(self, kept: np.ndarray) -> dict[str, Any]:
-        times, numbers = self.columns["time"][kept], kept.astype(np.int32)
-        return {
-            "field_time": (
-                "field_time", times, {"units": "s", "long_name": "Time, where fields were kept"}
-            ),
-            "field_step": (
-                "field_time", numbers, {"units": "1", "long_name": "Number of the step, from 0"}
-            ),
-        }  # fmt: skip
+        found["drive"].attrs["units"] = "N" if self.scenario.loading.drive == "force" else "m"
+        return found

@@ -29,6 +29,7 @@ from tyrecontact.road.heights import Patch
 from tyrecontact.road.springs import Springs
 from tyrecontact.scenario import Scenario
 from tyrecontact.tread.kernels import Kernel
+from tyrecontact.watch import Watch
 
 #: by `ElementState`
 _TOUCHES = np.array(
@@ -150,6 +151,11 @@ class Simulation:
         return Bodies(LatticeKernel(self.kernel), self.springs, law, tops - tops.max(), machine)
 
     @cached_property
+    def _watch(self) -> Watch:
+        thickness = assembly.tread_thickness(self.scenario.tread)
+        return Watch(thickness, self.scenario.numerics.kernel, self.solver.method is newton.robust)
+
+    @cached_property
     def solver(self) -> Solver:
         """How each step is solved."""
         numerics, loading = self.scenario.numerics, self.scenario.loading
@@ -213,7 +219,7 @@ class Simulation:
             contact_area=self._contact_area(bonds, touching).reshape(shape),
             age=bonds.age.reshape(shape).astype(np.float32),
             state=element.reshape(shape),
-            stop_reason=self._reason_to_stop(index, equilibrium, state),
+            stop_reason=self._watch.reason_to_stop(index, equilibrium, energy),
         )
 
     def _contact_area(self, bonds: Bonds, touching: np.ndarray) -> np.ndarray:
@@ -224,39 +230,3 @@ class Simulation:
         radius *= radius
         area: np.ndarray = np.multiply(radius, np.pi * touching, dtype=np.float32)
         return area
-
-    def _reason_to_stop(self, index: int, equilibrium: Equilibrium, state: State) -> str:
-        """Why a run must not go on after this step, or nothing."""
-        # displaced by more than that is no solution of anything
-        if not np.abs(equilibrium.displacement).max() <= self._limit:
-            return (
-                f"diverged at step {index}: the tread is displaced by more than "
-                f"its thickness of {self._limit * 1e3:.3g} mm"
-            )
-        if self.solver.method is not newton.robust:
-            return ""  # it goes on, whatever comes: that is what it is there to show
-        if state.energy.is_created:
-            return (
-                f"unstable at step {index}: the tread has given back more energy than it was "
-                f"given, which no tread can; try {self._advice()}"
-            )
-        if not equilibrium.solution.converged:
-            return (
-                f"not converged at step {index} after {equilibrium.iterations} iterations: "
-                f"residual {equilibrium.solution.residual:.2g} m; try {self._advice()}"
-            )
-        return ""
-
-    @cached_property
-    def _limit(self) -> float:
-        return assembly.tread_thickness(self.scenario.tread)
-
-    def _advice(self) -> str:
-        if self.scenario.numerics.kernel == "band-limited":
-            return "time_resolution_factor 4 or the passive kernel: it is unstable on stiff springs"
-        if self.scenario.numerics.kernel == "static":
-            return "a slower loading or more max_iterations"
-        return (
-            "more lags, so that the tread's creep fits into the kernel, quadrature BDF1, a slower "
-            "loading or more max_iterations"
-        )

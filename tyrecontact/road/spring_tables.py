@@ -180,10 +180,8 @@ class Springs:
         compression = np.asarray(compression, float)
         fast = loops()
         if fast is not None and compression.shape == (self.count,):
-            values: np.ndarray = fast.between_nodes(
-                self._contact_cells, column, self.depth, compression
-            )
-            return values
+            table = self._contact_cells
+            return np.asarray(fast.between_nodes(table, column, self.depth, compression))
         cell, x = self._cell(compression)
         flat, columns = self._contact_cells.reshape(-1), self.contact_table.shape[2]
         here = (cell + self._first_row) * columns + column

@@ -135,7 +135,7 @@ class Numerics(Part):
         "First guess: from the last two steps (robust: three), or the last",
     )
     margin_interval = Count(
-        1, (1, 100_000), "From one stability margin to the next: each takes a third of a step's time",
+        1, (1, 100_000), "From one stability margin to the next; each takes a third of a step",
         "steps",
     )  # fmt: skip
     long_holds = Choice(

@@ -191,7 +191,7 @@ def _plain(found: Measured) -> list[str]:
 
 def _time_and_ratio(seconds: float, direct: float, least: str = "") -> str:
     ratio = direct / seconds
-    return _time(seconds) + ("" if math.isnan(ratio) else f" ({least}{ratio:.2g})")
+    return _time(seconds) + ("" if math.isnan(ratio) else f" ({least}{float(f'{ratio:.2g}'):g})")
 
 
 def _runs(found: Measured) -> list[list[str]]:

@@ -38,8 +38,7 @@ def _loops() -> ModuleType | None:
 
 def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     """A loop compiled by numba: kept on disk, free for other threads, divisions as in numpy."""
-    from numba import njit
-
+    njit = import_module("numba").njit
     options = {"nogil": True, "error_model": "numpy"}
     try:
         made: Callable[..., Any] = njit(cache=True, **options)(function)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 
 import pytest
 from threadpoolctl import threadpool_info, threadpool_limits
@@ -22,6 +23,20 @@ def test_loops_are_compiled_where_numba_is_installed(monkeypatch: pytest.MonkeyP
     assert fast.loops() is not None
     monkeypatch.setattr(fast, "enabled", False)
     assert fast.loops() is None
+
+
+def test_where_nothing_can_be_kept_loops_are_compiled_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    numba, asked = pytest.importorskip("numba"), []
+
+    def njit(cache: bool = False, **_options: object) -> Callable[[object], object]:
+        asked.append(cache)
+        if cache:
+            raise RuntimeError("cannot cache function: no locator available")
+        return lambda function: function
+
+    monkeypatch.setattr(numba, "njit", njit)
+    assert fast.compiled(threads) is threads
+    assert asked == [True, False]
 
 
 FORBIDDEN = "import os; os.environ['TYRECONTACT_COMPILED'] = '0'"

@@ -56,8 +56,7 @@ def kappa_by_finite_elements(ratio: float, poissons_ratio: float, bonded: bool) 
         ]
     ).tocsr()
     x = np.zeros(matrix.shape[0])
-    fixed = []
-    fixed.append(u_basis.get_dofs(lambda x: np.isclose(x[1], thickness)).all())
+    fixed = [u_basis.get_dofs(lambda x: np.isclose(x[1], thickness)).all()]
     fixed.append(u_basis.get_dofs(lambda x: np.isclose(x[0], mesh.p[0].max())).all())
     fixed.append(u_basis.get_dofs(lambda x: np.isclose(x[0], 0.0)).all(["u^1"]))
     punch = u_basis.get_dofs(lambda x: np.isclose(x[1], 0.0) & (x[0] <= 1 + 1e-12))

@@ -76,7 +76,9 @@ def test_preset_run(benchmark: Benchmark, preset: str) -> None:
     benchmark.extra_info.update(case="run", preset=preset, seconds=seconds, steps=len(results))
 
 
-@pytest.mark.parametrize("what", ["import", "default", *(f"window-{n}" for n in cases.SIZES)])
+@pytest.mark.parametrize(
+    "what", ["import", "default", "long", *(f"window-{n}" for n in cases.SIZES)]
+)
 def test_memory(benchmark: Benchmark, what: str) -> None:
     """Peak of a process's resident memory."""
     found = benchmark.pedantic(child.measured, args=(what,), rounds=1)

@@ -51,6 +51,29 @@ def window(elements: int) -> Callable[[], object]:
     return lambda: list(islice(iter(cases.window(elements, "passive")), 6))
 
 
+def long() -> Callable[[], object]:
+    """82,000 steps recorded and written to a file: the same sixty, over and over."""
+    from dataclasses import replace
+    from itertools import islice
+
+    from tyrecontact import Simulation, presets
+    from tyrecontact.results import FIELDS, Record
+
+    simulation = Simulation(presets.get("default"))
+    steps, count = list(islice(simulation, 60)), 82_000
+
+    def run() -> None:
+        record = Record(count, simulation.bodies.kernel.shape)
+        for index in range(count):
+            step = steps[index % len(steps)]
+            fields = {name: getattr(step, name).copy() for name in FIELDS}
+            record.append(replace(step, index=index, **fields))
+        with TemporaryDirectory() as folder:
+            simulation.collect(record).to_xarray().to_netcdf(f"{folder}/run.nc")
+
+    return run
+
+
 def measured(case: str, cache: str | None = None) -> dict[str, float]:
     """Run a case in a process of its own."""
     command = [sys.executable, "-m", "tests.benchmarks.child", case]
@@ -73,7 +96,7 @@ def main(case: str) -> None:
 
     imported = time.perf_counter()
     name, _, elements = case.partition("-")
-    prepared = {"kernel": kernel, "springs": springs, "default": default}.get(name)
+    prepared = {"kernel": kernel, "springs": springs, "default": default, "long": long}.get(name)
     run = prepared() if prepared else window(int(elements)) if elements else lambda: None
     begin = time.perf_counter()
     run()

@@ -79,6 +79,28 @@ def test_look_ups_agree(monkeypatch: pytest.MonkeyPatch, rough_springs: Springs)
     np.testing.assert_allclose(*found, rtol=1e-13)
 
 
+@pytest.mark.parametrize("enabled", [True, False])
+def test_look_ups_stay_inside_the_tables(
+    monkeypatch: pytest.MonkeyPatch, rough_springs: Springs, enabled: bool
+) -> None:
+    monkeypatch.setattr(fast, "enabled", enabled)
+    for count in (1000, 3):  # more than there are springs, and fewer
+        with pytest.raises(ValueError, match="broadcast"):
+            rough_springs.radius(np.full(count, 1e-6))
+
+
+def test_what_is_no_number_reads_no_other_memory(rough_springs: Springs) -> None:
+    assert np.all(np.isnan(rough_springs.radius(np.full(rough_springs.count, np.nan))))
+
+
+def test_a_target_that_is_no_number_is_not_solved(
+    tread: LatticeKernel, rough_springs: Springs, tops: np.ndarray
+) -> None:
+    target = np.where(np.arange(64) == 3, np.nan, tops + 1e-5)
+    interface = Mirrored(rough_springs, np.zeros(64, bool))
+    assert not newton.robust(tread.now, interface, target, tops, TOLERANCE, 5).converged
+
+
 def test_hinged_elements_are_solved_by_the_plain_method(
     tread: LatticeKernel, rough_springs: Springs, tops: np.ndarray
 ) -> None:

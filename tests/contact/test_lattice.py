@@ -37,8 +37,9 @@ def test_products_are_those_of_the_dense_matrix() -> None:
 
 
 def test_of_others_is_without_what_a_force_does_to_its_own_element() -> None:
-    shared = 0.3
-    tread, force = LatticeKernel(kernel()).now.with_shared(shared), forces(1)[0].ravel()
+    now, force = LatticeKernel(kernel()).now, forces(1)[0].ravel()
+    tread = now.with_shared(0.3)
+    assert tread.products is now.products  # nothing is computed anew
     matrix = tread.matrix(np.arange(NY * NX))
     np.testing.assert_allclose(tread.displacement(force), matrix @ force, atol=1e-13)
     np.fill_diagonal(matrix, 0)

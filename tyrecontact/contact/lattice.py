@@ -75,7 +75,7 @@ class Compliance:
     """
 
     def __init__(self, values: np.ndarray, shared: float = 0.0) -> None:
-        self.values, self.shared = values, shared
+        self.shared = shared
         self.shape: tuple[int, int] = values.shape
         self.self_compliance = float(values[0, 0]) + shared
         self.products = Products(values)
@@ -114,7 +114,7 @@ class Compliance:
         row, column = np.divmod(elements, self.shape[1])
         dy = np.abs(np.subtract.outer(row, row))
         dx = np.abs(np.subtract.outer(column, column))
-        return self.values[dy, dx] + self.shared
+        return self.products.values[dy, dx] + self.shared
 
 
 class LatticeKernel:

@@ -18,8 +18,6 @@ from tyrecontact.contact.transforms import near_values
 _LEVELS = 64
 #: the largest s^2 times the largest wave of h stays below that
 _LARGEST = 0.95
-
-
 #: 1 + s^2 lambda' is no less in a tread that yields to every force
 _LEAST = 0.01
 

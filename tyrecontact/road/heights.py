@@ -100,6 +100,11 @@ def centred(patch: Patch, elements: int, size: float) -> Patch:
     if np.isclose(pitch, patch.pitch, rtol=1e-9, atol=0):
         row, column = ((n - count) // 2 for n in patch.heights.shape)
         return Patch(patch.heights[row : row + count, column : column + count], pitch)
+    return _resampled(patch, count, pitch)
+
+
+def _resampled(patch: Patch, count: int, pitch: float) -> Patch:
+    """The middle count x count heights of another pitch [m], bilinear between the given ones."""
     axes = [(np.arange(n) + 0.5 - n / 2) * patch.pitch for n in patch.heights.shape]
     wanted = (np.arange(count) + 0.5 - count / 2) * pitch
     # the outermost new pixels may lie up to half an old pixel outside the old centres

@@ -76,20 +76,28 @@ def from_heights(
     _require_known("smoothing", smoothing, SMOOTHINGS)
     if not 0 < youngs_modulus < np.inf:
         raise InputError(f"youngs_modulus of the springs must be positive, got {youngs_modulus} Pa")
+    depth = _depth(heights)
+    blocks = (heights[first : first + _BLOCK] for first in range(0, len(heights), _BLOCK))
+    punches = (_Punches.of(block, depth, pitch, youngs_modulus, bonded) for block in blocks)
+    return _joined([_springs(punch, reading, smoothing) for punch in punches])
+
+
+def _joined(parts: list[Springs]) -> Springs:
+    """Springs of the same depth and reading, one after the other."""
+    return Springs(
+        parts[0].depth,
+        np.concatenate([part.energy_table for part in parts]),
+        np.concatenate([part.contact_table for part in parts]),
+        parts[0].tangent,
+    )
+
+
+def _depth(heights: np.ndarray) -> float:
+    """Largest height difference within an element [m]."""
     depth = float((heights.max(axis=-1) - heights.min(axis=-1)).max())
     if not depth > 0:
         raise InputError("road must be rough inside its elements, got elements that are all flat")
-    blocks = (heights[first : first + _BLOCK] for first in range(0, len(heights), _BLOCK))
-    parts = [
-        _springs(_Punches.of(block, depth, pitch, youngs_modulus, bonded), reading, smoothing)
-        for block in blocks
-    ]
-    return Springs(
-        depth,
-        np.concatenate([part.energy_table for part in parts]),
-        np.concatenate([part.contact_table for part in parts]),
-        reading == "tangent",
-    )
+    return depth
 
 
 def _springs(punch: _Punches, reading: str, smoothing: str) -> Springs:

@@ -54,6 +54,11 @@ def test_a_long_curve_has_few_points_its_ends_and_its_extremes(frame: int) -> No
     assert np.diff(time).max() < 64 * 1e-2
 
 
+def test_what_is_no_number_hides_no_extreme() -> None:
+    values = np.array([0, 1, np.nan, 9, -9, 2, 3, 4, np.nan, 5, -5])
+    assert set(extremes(values, 8)) >= {3, 4, 9, 10}
+
+
 @pytest.mark.parametrize("frame", [1, 7, 61])
 def test_a_curve_of_few_steps_has_a_point_for_each(frame: int) -> None:
     found, sent = followed(POINTS, frame)

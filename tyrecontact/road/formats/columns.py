@@ -47,9 +47,8 @@ def from_columns(values: np.ndarray, header: Header, path: Path) -> Raw:
     InputError : no column, or several, named as heights; distances that are not regular.
     """
     names = _names(header.lines[-1], values.shape[1])
-    heights = _found("height", _HEIGHT, names, header, path)
-    distances = _found("distance", _DISTANCE, names, header, path, needed=False)
-    height, distance = heights[0], distances[0] if distances else None
+    height = _found("height", _HEIGHT, names, header, path)[0]
+    distance = next(iter(_found("distance", _DISTANCE, names, header, path, needed=False)), None)
     unit = _unit(names[height])
     # profilometers call heights depths and count them up all the same
     doubt = " (if it counts down: height_direction)" if "depth" in names[height].lower() else ""
@@ -65,8 +64,7 @@ def from_columns(values: np.ndarray, header: Header, path: Path) -> Raw:
         # without units at all, both columns are taken to have the one that is given
         spacing = step if not lateral and not unit else None
     unused = [name for place, name in enumerate(names) if place not in (height, distance)]
-    if unused:
-        done.append("not used: " + ", ".join(f"'{name}'" for name in unused))
+    done += ["not used: " + ", ".join(f"'{name}'" for name in unused)] if unused else []
     return Raw(
         values[:, height].copy(),
         "text of named columns",

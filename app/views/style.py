@@ -17,6 +17,27 @@ RUN_COLOR = {False: BLUE, True: "#56B4E9"}
 
 
 @dataclass(frozen=True)
+class Size:
+    """Type and lines of a figure [px]: one scale for a desk, one for a lecture hall."""
+
+    title: int
+    label: int
+    tick: int
+    line: float = 1.0
+
+    def apply(self, fig: figure) -> None:
+        """Set the type of a figure."""
+        fig.title.text_font_size = f"{self.title}px"
+        fig.axis.axis_label_text_font_size = f"{self.label}px"
+        fig.axis.major_label_text_font_size = f"{self.tick}px"
+        for legend in fig.legend:
+            legend.label_text_font_size = f"{self.label}px"
+
+
+DESK, HALL = Size(14, 13, 12), Size(24, 21, 19, 1.8)
+
+
+@dataclass(frozen=True)
 class Horizontal:
     """A choice of horizontal axis: the column, its label, and its range for a run."""
 

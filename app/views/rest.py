@@ -1,0 +1,49 @@
+"""What is looked at at rest is drawn by HoloViews, in the house style."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import holoviews as hv
+import holoviews.plotting.bokeh  # registers the backend
+import panel as pn
+from bokeh.models import Line, Step
+
+from .style import DESK, Size
+
+hv.Store.set_current_backend("bokeh")
+
+#: of a plot with a title [px]
+HEIGHT = 320
+
+
+def pane(element: Any, size: Size = DESK, height: int = HEIGHT) -> pn.pane.HoloViews:
+    """A plot as wide as there is room.
+
+    Parameters
+    ----------
+    element : of HoloViews, with its labels ("Force [N]") and, in an overlay, its legend.
+    size : of type and lines.
+    height : of the plot [px].
+    """
+    drawn = element.opts(
+        responsive=True, height=height, toolbar="above", hooks=[_house(size)], backend="bokeh"
+    )
+    return pn.pane.HoloViews(
+        drawn, sizing_mode="stretch_width", height=height, margin=(4, 6), linked_axes=False
+    )
+
+
+def _house(size: Size) -> Any:
+    def finish(plot: Any, _element: Any) -> None:
+        fig = plot.state
+        fig.toolbar.logo, fig.toolbar.autohide = None, True
+        fig.update(min_border_left=64, min_border_right=16, output_backend="canvas")
+        fig.axis.axis_label_text_font_style = "normal"
+        size.apply(fig)
+        for drawn in fig.renderers:
+            glyph = drawn.glyph
+            if isinstance(glyph, Line | Step):
+                glyph.line_width = glyph.line_width * size.line
+
+    return finish

@@ -1,26 +1,23 @@
-"""The form: widgets made from the settings' one declaration, and the scenario they stand for."""
+"""The form: fields made from the settings' one declaration, and the scenario they stand for."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
+import panel as pn
 import panel_material_ui as pmui
-import param
 
 from tyrecontact import Scenario, presets
 from tyrecontact.errors import InputError
-from tyrecontact.settings import Choice, Count, Tables, Text
 
+from .fields import NAMES, Field, label_of
+from .history import History, Past
 from .road_file import RoadFile
+from .text_file import TextFile
 
-#: the four that the product is about: path -> label
-MAIN = {
-    "adhesion.release_force": "Release criterion",
-    "loading.profile": "Loading profile",
-    "numerics.time_resolution_factor": "Time-resolution factor",
-    "springs.exchange_count": "Spring exchange",
-}
+#: the four that the product is about
+MAIN = tuple(NAMES)
 #: folded groups: title -> parts
 GROUPS = {
     "Loading": ("loading",),
@@ -30,131 +27,173 @@ GROUPS = {
     "Numerics": ("numerics",),
 }
 #: settings that the road-file control sets itself
-_OF_ROAD_FILE = {"road.file", "road.pitch", "road.height_unit"}
-#: profiles that need a file of the server's, which no visitor may name
-_OF_FILES = {"table"}
+OF_ROAD_FILE = ("road.file", "road.pitch", "road.height_unit")
+#: settings that name a file, which a visitor may bring but not name: path -> what it is
+OF_FILES = {
+    "loading.table": "Loading table (profile: table)",
+    "tread.modulus_table": "Modulus table (material: tabulated)",
+}
 
 
 class Controls:
-    """Widgets and scenario, kept equal.
+    """Fields and scenario, kept equal.
 
     Parameters
     ----------
     refuse : called with one sentence about a value that was not taken.
-    accept : called when one was.
+    changed : called with the paths of settings that now are others.
 
     Attributes
     ----------
+    preset : name of the preset the form started from.
     scenario : what the form says now.
-    widgets : path of a setting -> its widget.
     road_file : the control that takes a road file.
-    root : list of what stands in the sidebar, from the top.
+    root : what stands in the sidebar, from the top.
     """
 
-    def __init__(self, refuse: Callable[[str], None], accept: Callable[[], None]) -> None:
-        self._refuse, self._accept = refuse, accept
-        self._loading = False
-        self.scenario = presets.get("default")
-        self.widgets: dict[str, Any] = {}
-        self._scales: dict[str, float] = {}
-        for path, parameter, value in self.scenario.settings():
-            if path not in _OF_ROAD_FILE and not isinstance(parameter, Text | Tables):
-                self._add(path, parameter, value)
-        self.road_file = RoadFile(self._take_road, refuse)
-        self.root = [self._main(), self._folded()]
+    def __init__(
+        self, refuse: Callable[[str], None], changed: Callable[[Iterable[str]], None]
+    ) -> None:
+        self._refuse, self._tell = refuse, changed
+        self.preset = "default"
+        self.scenario = presets.get(self.preset)
+        self._plain = presets.get(self.preset)
+        self.history = History(self._state())
+        self._fields: dict[str, Field] = {}
+        self.road_file = RoadFile(self.take_road, refuse)
+        self.text_files = {
+            path: TextFile(title, lambda file, path=path: self.change(path, file), refuse)
+            for path, title in OF_FILES.items()
+        }
+        self._groups = [pn.Column(sizing_mode="stretch_width") for _ in GROUPS]
+        # folded groups are neither made nor drawn: seventy widgets would keep a browser busy
+        self._folded = pmui.Accordion(
+            *zip(GROUPS, self._groups, strict=True), title_variant="body1", dynamic=True,
+            toggle=True, disable_gutters=True, sizing_mode="stretch_width", margin=(10, 5),
+        )  # fmt: skip
+        self._folded.param.watch(lambda event: self._unfold(event.new), "active")
+        main = [self.field(path).root for path in MAIN]
+        self.root = [pn.Column(*main, sizing_mode="stretch_width"), self._folded]
 
-    def load(self, scenario: Scenario) -> None:
-        """Show another scenario; a road file that was taken stays."""
-        for path in _OF_ROAD_FILE:
-            scenario.set(path, self._value(self.scenario, path))
-        self.scenario = scenario
-        self._loading = True
-        try:
-            for path, widget in self.widgets.items():
-                value = self._value(scenario, path)
-                widget.value = value * self._scales[path] if path in self._scales else value
-        finally:
-            self._loading = False
+    def field(self, path: str) -> Field:
+        """The field of a setting, made when first asked for."""
+        if path not in self._fields:
+            _, parameter = self.scenario.find(path)
+            made = Field(path, parameter, self.value(path), self.change, self.restore)
+            made.mark(self.differs(path))
+            self._fields[path] = made
+        return self._fields[path]
 
-    def _add(self, path: str, parameter: param.Parameter, value: Any) -> None:
-        unit, scale = parameter.metadata["shown_in"]
-        name = MAIN.get(path) or _in_words(parameter.name)
-        label = f"{name} [{unit}]" if unit else name
-        common = {"label": label, "description": parameter.doc, "sizing_mode": "stretch_width"}
-        if not isinstance(parameter, Choice | Count):
-            self._scales[path] = scale
-            value = value * scale
-        self.widgets[path] = _widget(path, parameter, value, common)
-        self.widgets[path].param.watch(lambda event, path=path: self._changed(path, event), "value")
-
-    def _changed(self, path: str, event: param.parameterized.Event) -> None:
-        if self._loading:
-            return
-        value = event.new
-        if path in self._scales and value is not None:
-            value = value / self._scales[path]
-        try:
-            self.scenario.set(path, value)
-            self._accept()
-        except InputError as error:
-            self._refuse(str(error))
-            self._loading = True
-            self.widgets[path].value = event.old
-            self._loading = False
-
-    def _take_road(self, file: str, pitch: float, unit: str) -> None:
-        # the file last: it is not set where its pitch is refused
-        self.scenario.set("road.file", "")
-        for path, value in (("road.pitch", pitch), ("road.height_unit", unit), ("road.file", file)):
-            self.scenario.set(path, value)
-        self._accept()
-
-    def _main(self) -> pmui.Column:
-        widgets = [self.widgets[path] for path in MAIN]
-        title = pmui.Typography("What if …", variant="subtitle2", margin=(10, 10, 0, 10))
-        return pmui.Column(title, *widgets, sizing_mode="stretch_width")
-
-    def _folded(self) -> pmui.Accordion:
-        groups = []
-        for title, parts in GROUPS.items():
-            rows = [
-                widget
-                for path, widget in self.widgets.items()
-                if path.partition(".")[0] in parts and path not in MAIN
-            ]
-            if "road" in parts:
-                rows.insert(0, self.road_file.root)
-            groups.append((title, pmui.Column(*rows, sizing_mode="stretch_width")))
-        return pmui.Accordion(
-            *groups, title_variant="body1", sizing_mode="stretch_width", margin=(10, 5)
-        )
-
-    @staticmethod
-    def _value(scenario: Scenario, path: str) -> Any:
-        part, parameter = scenario.find(path)
+    def value(self, path: str) -> Any:
+        """A setting's value [SI]."""
+        part, parameter = self.scenario.find(path)
         return getattr(part, parameter.name)
 
+    def differs(self, path: str) -> bool:
+        """Whether a setting is another one than the preset's."""
+        part, parameter = self._plain.find(path)
+        return bool(self.value(path) != getattr(part, parameter.name))
 
-def _in_words(name: str) -> str:
-    """ "base_poissons_ratio" as "Base Poisson's ratio"."""
-    words = name.replace("_", " ").replace("youngs", "Young's").replace("poissons", "Poisson's")
-    return words[:1].upper() + words[1:]
+    def changes(self) -> list[str]:
+        """Paths of all settings that are others than the preset's."""
+        return [path for path, _, _ in self.scenario.settings() if self.differs(path)]
+
+    def change(self, path: str, value: Any) -> None:
+        """Set one setting [SI], from wherever; refused with a sentence where it cannot be."""
+        self.change_all({path: value})
+
+    def change_all(self, values: dict[str, Any]) -> None:
+        """Set several settings [SI] at once: all of them, or none."""
+        trial = self.scenario.copy()
+        try:
+            for path, value in values.items():
+                trial.set(path, value)
+        except InputError as error:
+            self._refuse(str(error))
+        else:
+            for path in values:
+                self.scenario.set(path, getattr(trial.find(path)[0], path.partition(".")[2]))
+            self.history.add(self._state(), ",".join(values))
+        self._show(values)
+        self._tell(values)
+
+    def restore(self, path: str) -> None:
+        """Take the preset's value of a setting."""
+        part, parameter = self._plain.find(path)
+        self.change(path, getattr(part, parameter.name))
+
+    def load(self, preset: str, scenario: Scenario | None = None) -> None:
+        """Show a preset, or a scenario that began as one; a road file that was taken stays."""
+        plain = presets.get(preset)
+        scenario = plain.copy() if scenario is None else scenario.copy()
+        if not scenario.road.file:
+            for path in OF_ROAD_FILE:
+                scenario.set(path, self.value(path))
+        self.preset, self._plain, self.scenario = preset, plain, scenario
+        self.history.add(self._state(), "")
+        self._show_all()
+
+    def reset(self) -> None:
+        """Back to the preset, in all settings; undo brings them back."""
+        for path in self.changes():
+            if path in OF_FILES:
+                self.text_files[path].clear()
+        self.road_file.forget()
+        self.load(self.preset)
+
+    def undo(self) -> None:
+        self._back_to(self.history.undo())
+
+    def redo(self) -> None:
+        self._back_to(self.history.redo())
+
+    def take_road(self, settings: dict[str, Any]) -> None:
+        """Use a road file, or none: settings by path."""
+        # the file last: it is not set where its pitch is refused
+        self.change_all(dict(sorted(settings.items(), key=lambda item: item[0] == "road.file")))
+
+    def close(self) -> None:
+        """Remove what the visitor has brought."""
+        self.road_file.close()
+        for file in self.text_files.values():
+            file.close()
+
+    def _back_to(self, state: Past | None) -> None:
+        if state is None:
+            return
+        self.preset, self._plain = state.preset, presets.get(state.preset)
+        self.scenario = Scenario(**state.settings)
+        self._show_all()
+
+    def _state(self) -> Past:
+        return Past(self.preset, self.scenario.to_dict())
+
+    def _show_all(self) -> None:
+        self._show(self._fields)
+        self._tell([path for path, _, _ in self.scenario.settings()])
+
+    def _show(self, paths: Iterable[str]) -> None:
+        for path in paths:
+            if path in self._fields:
+                self._fields[path].set(self.value(path))
+                self._fields[path].mark(self.differs(path))
+
+    def _unfold(self, active: list[int]) -> None:
+        for index in active:
+            if not self._groups[index].objects:
+                self._groups[index].objects = self._rows(list(GROUPS.values())[index])
+                self._folded.param.trigger("objects")
+
+    def _rows(self, parts: tuple[str, ...]) -> list[Any]:
+        """Fields of parts, but for those on top; and what takes files."""
+        rows: list[Any] = [self.road_file.root] if "road" in parts else []
+        for path, _, _ in self.scenario.settings():
+            if path.partition(".")[0] not in parts or path in (*MAIN, *OF_ROAD_FILE):
+                continue
+            rows.append((self.text_files.get(path) or self.field(path)).root)
+        return rows
 
 
-def _widget(path: str, parameter: param.Parameter, value: Any, common: dict[str, Any]) -> Any:
-    if isinstance(parameter, Choice):
-        options = [name for name in parameter.objects if name not in _OF_FILES]
-        return pmui.Select(options=options, value=value, size="small", **common)
-    if path == "numerics.time_resolution_factor":
-        return pmui.Select(options=[1, 2, 4], value=value, size="small", **common)
-    low, high = parameter.bounds
-    if path == "springs.exchange_count":
-        return pmui.EditableIntSlider(
-            start=0, end=200, fixed_start=low, fixed_end=high, step=10, value=value, **common
-        )
-    if path == "adhesion.release_force":
-        return pmui.EditableFloatSlider(
-            start=0.0, end=3.0, fixed_start=low, fixed_end=high, step=0.05, value=value, **common
-        )
-    kind = pmui.IntInput if isinstance(parameter, Count) else pmui.FloatInput
-    return kind(value=value, size="small", **common)
+def changed_in_words(paths: Iterable[str]) -> str:
+    """Names of settings, for people."""
+    return ", ".join(label_of(path) for path in paths)

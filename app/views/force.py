@@ -8,7 +8,7 @@ from bokeh.models import ColumnDataSource
 from tyrecontact.results import Record
 
 from ..runner import Baseline
-from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
+from .style import GREY, RUN_COLOR, VERMILION, Horizontal, Size, cursor, hover, plot, put_on
 from .trace import Trace
 
 _COLUMNS = ("time_ms", "indentation_um", "force")
@@ -17,14 +17,15 @@ _TOP = 500.0
 
 
 class ForceView:
-    """Attributes: `root` a Bokeh figure; `source`, `failed`, `baseline` what it draws."""
+    """Attributes: `root` a Bokeh figure; `source`, `failed`, `baseline` what it draws; `cursor`."""
 
     def __init__(self) -> None:
         self._all = Trace("force", "contact_force", "force")
         self._bad = Trace("force", "contact_force")
         self.source, self.failed = self._all.source, self._bad.source
         self.baseline = ColumnDataSource({name: [] for name in _COLUMNS})
-        self.root = plot("Contact force", "Force [N]", height=370, top=_TOP)
+        self.root = plot("Contact force", "Force [N]", None, top=_TOP)
+        self.cursor = cursor(self.root)
         self._glyphs = []
         self._line(self.baseline, GREY, 5, "quasi-static", alpha=0.55)
         line = self._run = self._line(self.source, RUN_COLOR[False], 2, "this run")
@@ -37,10 +38,10 @@ class ForceView:
         hover(self.root, line, [*tips, ("time", "@time_ms{0.000} ms")], "mouse")
         self._failed_entry = self.root.legend[0].items[-1]
         self._failed_entry.visible = False
-        legend = self.root.legend[0]
-        self.root.add_layout(legend, "above")
-        legend.update(orientation="horizontal", border_line_alpha=0, background_fill_alpha=0,
-                      padding=0, margin=4)  # fmt: skip
+        self.root.legend[0].update(
+            location="top_left", border_line_alpha=0, background_fill_alpha=0, padding=4
+        )
+        self.root.min_border_right = 74  # as the plot below, whose second axis stands there
 
     def _line(self, source: ColumnDataSource, color: str, width: float, label: str, alpha=1.0):
         line = self.root.line(
@@ -60,6 +61,15 @@ class ForceView:
         for points in (self._all, self._bad):
             points.look(axis, span.start, span.end)
 
+    def point_at(self, place: float | None) -> None:
+        """Mark a place on the horizontal axis, or none."""
+        self.cursor.update(location=place or 0.0, visible=place is not None)
+
+    def enlarge(self, size: Size) -> None:
+        """Set the type."""
+        size.apply(self.root)
+        self._run.glyph.line_width = 2 * size.line
+
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
         self._run.glyph.line_color = RUN_COLOR[dark]
@@ -70,15 +80,16 @@ class ForceView:
         self.baseline.data = {name: [] for name in _COLUMNS}
         self._failed_entry.visible = False
 
-    def compare_with(self, baseline: Baseline) -> None:
-        """Draw the quasi-static run."""
+    def compare_with(self, baseline: Baseline, fit: bool = True) -> None:
+        """Draw the quasi-static run, and fit the vertical axis to it."""
         self.baseline.data = {
             "time_ms": baseline.time * 1e3,
             "indentation_um": baseline.indentation * 1e6,
             "force": baseline.contact_force,
         }
-        force = baseline.contact_force
-        self.root.y_range.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max())
+        force, span = baseline.contact_force, self.root.y_range
+        if fit:
+            span.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max() or 1.0)
 
     def update(self, record: Record, low: int, high: int, ended: bool = False) -> None:
         """Add rows low .. high - 1; `ended` where no more will come."""
@@ -86,7 +97,8 @@ class ForceView:
         self._all.update(columns, np.arange(high), ended)
         self._make_room_for(columns["contact_force"][low:high])
         bad = np.flatnonzero(columns["converged"][:high] == 0)
-        self._failed_entry.visible = bad.size > 0
+        if bool(bad.size) != self._failed_entry.visible:
+            self._failed_entry.visible = bool(bad.size)
         self._bad.update(columns, bad, ended)
 
     def _make_room_for(self, force: np.ndarray) -> None:

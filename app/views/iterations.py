@@ -1,41 +1,74 @@
-"""Newton iterations of each step, the steps that failed, and the most that is allowed."""
+"""Newton iterations of each step, what is allowed, and the stability margin beside them."""
 
 from __future__ import annotations
 
 import numpy as np
-from bokeh.models import Span
+from bokeh.models import LinearAxis, Range1d, Span
 
 from tyrecontact.results import Record
 
-from .style import GREY, RUN_COLOR, VERMILION, Horizontal, hover, plot, put_on
+from .style import GREY, RUN_COLOR, VERMILION, Horizontal, Size, cursor, hover, plot, put_on
 from .trace import Trace
 
 #: vertical range at first, if more iterations than that are allowed
 _SHOWN = 10
+#: Okabe and Ito's purple: the margin
+_MARGIN_COLOR = "#CC79A7"
+#: of the margin on show; a run that blows up leaves it, and is lost by then
+_MARGINS = (-1.0, 1.1)
 
 
 class IterationsView:
-    """Attributes: `root` a Bokeh figure; `source`, `failed` what it draws."""
+    """Attributes: `root` a Bokeh figure; `source`, `failed`, `margin` what it draws; `cursor`."""
 
     def __init__(self) -> None:
         self._all = Trace("iterations", "iterations", "iterations")
         self._bad = Trace("iterations", "iterations")
+        self._margin = Trace("margin", "stability_margin", "margin")
         self.source, self.failed = self._all.source, self._bad.source
-        self.root = plot("Newton iterations a step", "Iterations", height=230, top=11)
+        self.margin = self._margin.source
+        self.root = plot("Newton iterations a step, and stability margin", "Iterations", None, 11)
+        self.cursor = cursor(self.root)
         self.limit = Span(dimension="width", location=10, line_color=GREY, line_dash="dashed")
         self.root.add_layout(self.limit)
+        margin = self._margin_line()
         line = self.root.step(
             "indentation_um", "iterations", source=self.source, mode="center",
-            line_color=RUN_COLOR[False],
-            line_width=1.5,
+            line_color=RUN_COLOR[False], line_width=1.5, legend_label="iterations",
         )  # fmt: skip
         marks = self.root.scatter(
             "indentation_um", "iterations", source=self.failed, marker="x", size=7,
-            line_color=VERMILION, line_width=2,
+            line_color=VERMILION, line_width=2, legend_label="not converged",
         )  # fmt: skip
-        self._glyphs = [line, marks]
-        tips = [("iterations", "@iterations"), ("indentation", "@indentation_um{0.0} µm")]
-        hover(self.root, line, tips, "mouse")
+        self._glyphs = [line, margin, marks]
+        self._legend()
+        place = ("indentation", "@indentation_um{0.0} µm")
+        hover(self.root, line, [("iterations", "@iterations"), place], "mouse")
+        hover(self.root, margin, [("stability margin", "@margin{0.00}"), place], "mouse")
+
+    def _margin_line(self):
+        self.root.extra_y_ranges = {"margin": Range1d(*_MARGINS)}
+        axis = LinearAxis(y_range_name="margin", axis_label="Margin (below 0: unstable)")
+        axis.axis_label_text_font_style = "normal"
+        axis.ticker.desired_num_ticks = 3
+        self.root.min_border_right = 74
+        self.root.add_layout(axis, "right")
+        zero = Span(dimension="width", location=0, line_color=_MARGIN_COLOR, line_alpha=0.6,
+                    line_dash="dotted", y_range_name="margin")  # fmt: skip
+        self.root.add_layout(zero)
+        return self.root.line(
+            "indentation_um", "margin", source=self.margin, y_range_name="margin",
+            line_color=_MARGIN_COLOR, line_width=2, line_dash=[6, 3],
+            legend_label="stability margin",
+        )  # fmt: skip
+
+    def _legend(self) -> None:
+        legend = self.root.legend[0]
+        self.root.add_layout(legend, "above")
+        legend.update(orientation="horizontal", border_line_alpha=0, background_fill_alpha=0,
+                      padding=0, margin=2)  # fmt: skip
+        self._failed_entry = legend.items[-1]
+        self._failed_entry.visible = False
 
     def show_against(self, axis: Horizontal) -> None:
         """Change the horizontal axis."""
@@ -44,16 +77,27 @@ class IterationsView:
     def look(self) -> None:
         """Show in full what of a long run the horizontal range has been narrowed to."""
         span, axis = self.root.x_range, self._glyphs[-1].glyph.x
-        for points in (self._all, self._bad):
+        for points in (self._all, self._margin, self._bad):
             points.look(axis, span.start, span.end)
+
+    def point_at(self, place: float | None) -> None:
+        """Mark a place on the horizontal axis, or none."""
+        self.cursor.update(location=place or 0.0, visible=place is not None)
+
+    def enlarge(self, size: Size) -> None:
+        """Set the type."""
+        size.apply(self.root)
+        for line in self._glyphs[:2]:
+            line.glyph.line_width = 2 * size.line
 
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
         self._glyphs[0].glyph.line_color = RUN_COLOR[dark]
 
     def reset(self, max_iterations: int) -> None:
-        self._all.clear()
-        self._bad.clear()
+        for points in (self._all, self._margin, self._bad):
+            points.clear()
+        self._failed_entry.visible = False
         self.limit.location = max_iterations
         self.root.y_range.end = 1.1 * min(max_iterations, _SHOWN)
 
@@ -61,6 +105,11 @@ class IterationsView:
         """Add rows low .. high - 1; `ended` where no more will come."""
         columns = record.columns
         self._all.update(columns, np.arange(high), ended)
+        self._margin.update(columns, np.arange(high), ended)
         span = self.root.y_range
-        span.end = max(span.end, 1.1 * columns["iterations"][low:high].max(initial=0))
-        self._bad.update(columns, np.flatnonzero(columns["converged"][:high] == 0), ended)
+        most = 1.1 * float(columns["iterations"][low:high].max(initial=0))
+        span.end = max(span.end, most)
+        bad = np.flatnonzero(columns["converged"][:high] == 0)
+        if bool(bad.size) != self._failed_entry.visible:
+            self._failed_entry.visible = bool(bad.size)
+        self._bad.update(columns, bad, ended)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from bokeh.models import HoverTool, Range1d
+from bokeh.models import HoverTool, Range1d, Span
 from bokeh.plotting import figure
 
 #: Okabe and Ito's palette
@@ -57,13 +57,16 @@ def horizontal(name: str, time: np.ndarray, indentation: np.ndarray) -> Horizont
 def put_on(fig: figure, renderers: list[Any], axis: Horizontal) -> None:
     """Draw renderers against a horizontal axis."""
     for renderer in renderers:
-        renderer.glyph.x = axis.column
+        if renderer.glyph.x != axis.column:
+            renderer.glyph.x = axis.column
     fig.xaxis.axis_label = axis.label
     fig.x_range.update(start=axis.span[0], end=axis.span[1])
 
 
-def plot(title: str, y_label: str, height: int, top: float) -> figure:
-    """A figure in the house style, its vertical axis from 0 to `top`."""
+def plot(title: str, y_label: str, height: int | None, top: float) -> figure:
+    """A figure in the house style, its vertical axis from 0 to `top`; without a height [px] it is
+    as high as its place.
+    """
     fig = figure(
         title=title,
         x_axis_label="Indentation [µm]",
@@ -71,7 +74,7 @@ def plot(title: str, y_label: str, height: int, top: float) -> figure:
         x_range=Range1d(0, 200),
         y_range=Range1d(0, top),
         height=height,
-        sizing_mode="stretch_width",
+        sizing_mode="stretch_both" if height is None else "stretch_width",
         tools="pan,box_zoom,wheel_zoom,reset,save",
         active_drag=None,
         active_scroll=None,
@@ -84,8 +87,17 @@ def plot(title: str, y_label: str, height: int, top: float) -> figure:
     fig.toolbar.autohide = True
     fig.xaxis.axis_label_text_font_style = "normal"
     fig.yaxis.axis_label_text_font_style = "normal"
-    fig.title.text_font_size = "14px"
+    DESK.apply(fig)
     return fig
+
+
+def cursor(fig: figure) -> Span:
+    """A vertical line at the step on show, for plots that are scrubbed; hidden at first."""
+    line = Span(
+        dimension="height", line_color=GREY, line_dash="dotted", line_width=2, visible=False
+    )
+    fig.add_layout(line)
+    return line
 
 
 def hover(fig: figure, renderer: Any, tooltips: list[tuple[str, str]], mode: str) -> None:

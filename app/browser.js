@@ -1,0 +1,64 @@
+// The visitor's browser: frames shown, keys pressed, texts copied. It draws nothing.
+const TYPING = "input, textarea, select, [contenteditable=true], [role=slider], [role=combobox], [role=listbox], [role=menu], [role=dialog]"
+const PRESSING = "button, a, summary, [role=button], [role=tab], [role=switch], [role=radio], [role=menuitem]"
+
+function focused(event) {
+  // shadow roots hide what has the focus: the first of the path is what was really meant
+  return event.composedPath().filter((node) => node instanceof Element)
+}
+
+function key_of(event) {
+  const path = focused(event)
+  if (path.some((node) => node.matches(TYPING))) { return event.key === "Escape" ? "Escape" : null }
+  if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") { return event.shiftKey ? "Redo" : "Undo" }
+  if (event.ctrlKey || event.metaKey || event.altKey) { return null }
+  if (event.key === " " && path.some((node) => node.matches(PRESSING))) { return null }
+  if (path.some((node) => node.matches("[role=tab], [role=radio]")) && event.key.startsWith("Arrow")) { return null }
+  const name = event.key === " " ? "Space" : event.key
+  return event.shiftKey && name.startsWith("Arrow") ? `Shift+${name}` : name
+}
+
+const KEYS = new Set(["Space", "Escape", "ArrowLeft", "ArrowRight", "Shift+ArrowLeft", "Shift+ArrowRight", "Home", "End", ".", "p", "?", "Undo", "Redo"])
+
+function fallback_copy(text) {
+  const area = document.createElement("textarea")
+  area.value = text
+  document.body.append(area)
+  area.select()
+  const done = document.execCommand("copy")
+  area.remove()
+  return done
+}
+
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text)
+    return true
+  } catch {
+    return fallback_copy(text)  // a page that is not served by https has no clipboard
+  }
+}
+
+export function render({model, el}) {
+  const listen = (event) => {
+    const key = key_of(event)
+    if (key === null || !KEYS.has(key)) { return }
+    // an open dialog is closed by Escape, which is no wish to stop
+    if (key === "Escape" && document.querySelector("[role=dialog]")) { return }
+    if (key !== "Escape") { event.preventDefault() }
+    if (!event.repeat || key.includes("Arrow")) { model.send_msg({key}) }
+  }
+  document.addEventListener("keydown", listen)
+  model.on("remove", () => document.removeEventListener("keydown", listen))
+  // a frame is on the screen when the browser has come to rest after drawing it
+  model.on("frame", () => {
+    const frame = model.frame
+    requestAnimationFrame(() => setTimeout(() => model.send_msg({shown: frame}), 0))
+  })
+  model.on("msg:custom", async (message) => {
+    if (message.copy !== undefined) { model.send_msg({copied: await copy(message.copy)}) }
+    if (message.scale !== undefined) { document.documentElement.style.setProperty("--scale", message.scale) }
+  })
+  model.send_msg({width: window.innerWidth, address: window.location.href.split(/[?#]/)[0]})
+  el.style.display = "none"
+}

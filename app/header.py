@@ -1,0 +1,81 @@
+"""What stands in the header: run, pause, step, stop; preset; share, presentation, help."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import panel as pn
+import panel_material_ui as pmui
+
+from .runner import Phase, Run
+
+#: what is too much for a phone's header
+_WIDE = "@media (max-width: 700px) { :host { display: none !important; } }"
+
+#: on the dark bar, whatever the theme
+_WHITE = {"color": "#fff", "&.Mui-disabled": {"color": "rgba(255, 255, 255, 0.45)"}}
+
+
+class Header:
+    """Buttons; what they do is the session's.
+
+    Attributes
+    ----------
+    run, pause, step, stop, preset, share, present, help : buttons.
+    root : list of what stands in the header.
+    """
+
+    def __init__(self) -> None:
+        self.run = pmui.Button(
+            label="Run", icon="play_arrow", color="success", variant="contained", size="medium",
+            margin=(5, 4, 5, 16),
+        )  # fmt: skip
+        self.pause = _icon("Pause", "pause", "Pause (Space)", disabled=True)
+        self.step = _icon("Step", "skip_next", "Step (.)")
+        self.stop = _icon("Stop", "stop", "Stop (Esc)", True)
+        self.preset = pmui.Button(
+            label="default", end_icon="arrow_drop_down", variant="outlined", size="medium",
+            margin=(5, 8), sx={"color": "#fff", "borderColor": "rgba(255, 255, 255, 0.5)"},
+        )  # fmt: skip
+        self.share = _icon("Share", "share", "Share a link")
+        self.present = _icon("Presentation", "co_present", "Presentation mode (P)")
+        self.present.stylesheets = [_WIDE]
+        self.help = _icon("Help", "help_outline", "Help and keys (?)")
+        gap = pn.Spacer(sizing_mode="stretch_width", height=1, stylesheets=[_WIDE])
+        name = pmui.Typography(
+            "tyrecontact",
+            variant="h6",
+            margin=(8, 8, 8, 0),
+            stylesheets=[_WIDE],
+            sx={"color": "#fff"},
+        )
+        controls = [name, self.run, self.pause, self.step, self.stop, self.preset]
+        self.root = [
+            pn.Row(
+                *controls, gap, self.share, self.present, self.help,
+                sizing_mode="stretch_width", margin=0,
+            )
+        ]  # fmt: skip
+
+    def update(self, run: Run | None) -> None:
+        """Show what can be done with the run on show."""
+        under_way = run is not None and not run.phase.ended
+        paused = run is not None and run.phase is Phase.PAUSED
+        _set(self.stop, disabled=not under_way)
+        _set(self.pause, disabled=not under_way)
+        _set(self.pause, icon="play_arrow" if paused else "pause")
+        _set(self.pause, description="Go on (Space)" if paused else "Pause (Space)")
+
+
+def _icon(label: str, icon: str, description: str, disabled: bool = False) -> pmui.IconButton:
+    return pmui.IconButton(
+        label=label, icon=icon, description=description, disabled=disabled, sx=_WHITE,
+        margin=(5, 2), size="medium",
+    )  # fmt: skip
+
+
+def _set(component: Any, **values: Any) -> None:
+    """Only what changes is sent."""
+    changed = {name: value for name, value in values.items() if getattr(component, name) != value}
+    if changed:
+        component.param.update(**changed)

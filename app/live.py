@@ -1,0 +1,183 @@
+"""What is watched while a run goes on: force, iterations, map, element; and the step on show."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import panel as pn
+import panel_material_ui as pmui
+
+from .player import Player
+from .runner import Run
+from .views.contact_map import MODES, ContactMapView
+from .views.element import ElementView
+from .views.force import ForceView
+from .views.iterations import IterationsView
+from .views.style import Size, horizontal
+
+#: heights that fill a screen and no more: what stands above and below is taken off
+_FORCE = "clamp(230px, calc((100vh - 322px) * 0.6), 640px)"
+_ITERATIONS = "clamp(190px, calc((100vh - 322px) * 0.4), 420px)"
+#: the map is square, and so no wider than there is height
+_MAP = "calc((100vh - 322px) * 0.9)"
+
+#: one column on a phone
+_TWO_COLUMNS = """
+:host { display: grid; grid-template-columns: minmax(0, 7fr) minmax(0, 5fr); }
+@media (max-width: 900px) { :host { grid-template-columns: minmax(0, 1fr); } }"""
+
+
+class Live:
+    """The live plots of one session.
+
+    Attributes
+    ----------
+    force, iterations, contact_map, element : the views.
+    player : which step is on show.
+    axis, mode : choices of the horizontal axis and of what the map shows.
+    root : all of it.
+    """
+
+    def __init__(self, redraw: Callable[[], None]) -> None:
+        self.force, self.iterations = ForceView(), IterationsView()
+        self.contact_map, self.element = ContactMapView(), ElementView()
+        self.contact_map.on_tap = self.follow
+        self.element.on_follow = self.contact_map.frame
+        self.player = Player(redraw)
+        self.axis = pmui.RadioButtonGroup(
+            options=["indentation", "time"], value="indentation",
+            size="small", margin=(2, 10),
+        )  # fmt: skip
+        self.mode = pmui.Select(
+            label="Map of", options=MODES, value="force", size="small",
+            sizing_mode="stretch_width", margin=(8, 10, 2, 10),
+        )  # fmt: skip
+        self.axis.param.watch(lambda _: self._choose_axis(), "value")
+        self.mode.param.watch(lambda event: self._choose_mode(event.new), "value")
+        self._run: Run | None = None
+        self._drawn = 0
+        self._shown: tuple[int, bool] | None = None
+        self._fitted = False
+        self.root = self._layout()
+
+    def begin(self, run: Run, keep_scale: bool) -> None:
+        """Forget the last run; its scale stays where the next one is compared with it."""
+        self._run, self._drawn, self._shown = run, 0, None
+        self._prepared = self._compared = False
+        self._fitted = self._fitted and keep_scale
+        self.force.reset()
+        self.iterations.reset(run.scenario.numerics.max_iterations)
+        self.contact_map.clear()
+        self.player.begin()
+
+    def draw(self, run: Run, ended: bool) -> None:
+        """Show what has come since the last frame, and the step that is asked for."""
+        if run.simulation is None or run.record is None:
+            return
+        if not self._prepared:
+            self._prepare(run)
+        if run.baseline is not None and not self._compared:
+            self._compare(run)
+        low, high = self._drawn, run.record.count
+        if high > low or ended:
+            self.force.update(run.record, low, high, ended)
+            self.iterations.update(run.record, low, high, ended)
+            self._drawn = high
+        if high:
+            self.player.update(high, len(run.simulation))
+            self._show_step(run, high, ended)
+
+    def follow(self, row: int, column: int) -> None:
+        """Follow an element; rows and columns from 0."""
+        self.element.follow(row, column)
+        self._shown = None
+        if self._run is not None and self._drawn:
+            self._show_step(self._run, self._drawn, self._run.phase.ended)
+
+    def look(self) -> None:
+        """Show in full the part of a long run that has been zoomed into."""
+        self.force.look()
+        self.iterations.look()
+
+    def darken(self, dark: bool) -> None:
+        for view in (self.force, self.iterations, self.element):
+            view.darken(dark)
+
+    def enlarge(self, size: Size) -> None:
+        for view in (self.force, self.iterations, self.contact_map, self.element):
+            view.enlarge(size)
+
+    def _prepare(self, run: Run) -> None:
+        assert run.simulation is not None
+        peak = None if run.baseline is None else run.baseline.peak_element_force
+        road = run.scenario.road
+        self.contact_map.reset(road.size, road.elements, peak)
+        self.element.prepare(run)
+        self._prepared = True
+        self._choose_axis()
+
+    def _compare(self, run: Run) -> None:
+        assert run.baseline is not None
+        self.force.compare_with(run.baseline, fit=not self._fitted)
+        self._fitted = self._compared = True
+        self._choose_axis()
+
+    def _show_step(self, run: Run, count: int, ended: bool) -> None:
+        assert run.simulation is not None
+        assert run.record is not None
+        step = count - 1 if self.player.step is None else min(self.player.step, count - 1)
+        if self._shown == (step, ended):
+            return
+        self._shown = (step, ended)
+        self.contact_map.show(run.record, step, run.simulation.kernel.spacing)
+        self.element.update(run, step, ended)
+        place = None if self.player.step is None else self._place(run, step)
+        self.force.point_at(place)
+        self.iterations.point_at(place)
+
+    def _place(self, run: Run, step: int) -> float:
+        """A step on the horizontal axis, in its unit."""
+        assert run.record is not None
+        if self.axis.value == "time":
+            return float(run.record.columns["time"][step]) * 1e3
+        return float(run.record.columns["indentation"][step]) * 1e6
+
+    def _choose_axis(self) -> None:
+        """Put on the horizontal axis what is chosen, as far as the run on show goes."""
+        run = self._run
+        if run is None or run.simulation is None:
+            return
+        depth = run.simulation.schedule.drive if run.baseline is None else run.baseline.met
+        axis = horizontal(self.axis.value, run.simulation.schedule.time, depth)
+        for view in (self.force, self.iterations, self.element):
+            view.show_against(axis)
+        self._shown = None
+
+    def _choose_mode(self, mode: str) -> None:
+        self.contact_map.show_mode(mode)
+        self._shown = None
+        if self._run is not None and self._drawn:
+            self._show_step(self._run, self._drawn, self._run.phase.ended)
+
+    def _layout(self) -> pn.Column:
+        def plot(root: Any, height: str) -> pn.Column:
+            filled = pn.pane.Bokeh(root, sizing_mode="stretch_both", margin=0)
+            return pn.Column(
+                filled, sizing_mode="stretch_width", margin=0, styles={"height": height}
+            )
+
+        curves = pn.Column(
+            self.axis, plot(self.force.root, _FORCE), plot(self.iterations.root, _ITERATIONS),
+            sizing_mode="stretch_width", margin=0,
+        )  # fmt: skip
+        touching = pn.Column(
+            self.mode, pn.pane.Bokeh(self.contact_map.root, sizing_mode="scale_width"),
+            sizing_mode="stretch_width", margin=0, styles={"max-width": _MAP},
+        )  # fmt: skip
+        both = pn.Row(
+            curves, touching, sizing_mode="stretch_width", margin=0, stylesheets=[_TWO_COLUMNS]
+        )
+        return pn.Column(
+            both, self.player.root, self.element.root, sizing_mode="stretch_width", margin=0
+        )

@@ -1,0 +1,226 @@
+"""What one visitor sees and does: the form, the run on show, the views, and the only clock."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import panel as pn
+
+from . import keyboard
+from .browser import Browser
+from .controls import Controls
+from .dialogs import Dialogs
+from .header import Header
+from .limits import LIMITS, SLOTS
+from .live import Live
+from .runner import Phase, Run
+from .shelf import Shelf
+from .tabs import Tabs
+from .views.headline import HeadlineView
+from .views.style import DESK, HALL
+from .whatif import WhatIf
+
+#: milliseconds between two looks at what the solver has left
+FRAME = 33
+#: milliseconds from a change of what a plot shows until a long run is drawn in full there
+_LOOK = 200
+#: looks at the solver from one to the next drawing of a tab at rest while a run goes on
+_TAB_PERIOD = 40
+#: least time from one run to the next where every change is run [ms]
+_LIVE_PAUSE = 90
+#: profiles that return: forth and back on one axis would lie on top of each other
+_RETURNING = ("load-hold-unload", "sinusoidal", "table")
+
+
+class Session:
+    """One visitor.
+
+    Attributes
+    ----------
+    run : the run on show, or None before the first.
+    controls, whatif, header, headline, live, tabs, shelf, browser : the parts.
+    """
+
+    def __init__(self) -> None:
+        self._document = pn.state.curdoc  # None where there is no browser, as in tests
+        self.run: Run | None = None
+        self._clock: Any = None
+        self._ticks, self._looking, self._waiting = 0, False, False
+        self._large = False
+        self.on_present: Callable[[bool], None] = lambda _: None
+        self.browser, self.shelf = Browser(), Shelf()
+        self.headline, self.header = HeadlineView(), Header()
+        self.controls = Controls(self.headline.refuse, self._changed)
+        self.whatif = WhatIf(self.controls, self._paced)
+        self.live = Live(self._redraw)
+        self.lesson = pn.Column()
+        self.tabs = Tabs(self.live.root, {})
+        self.dialogs = Dialogs(self.controls, self.browser, self.load_preset)
+        self._wire()
+        pn.state.on_session_destroyed(lambda _: self.close())
+
+    def start(self, paused: bool = False, live: bool = False) -> None:
+        """Run the scenario of the form; it supersedes a run that is under way."""
+        before = self.run
+        self.run = Run(
+            self.controls.scenario, self.whatif.duration, after=before, paused=paused,
+            baseline_first=not live, limits=LIMITS, slots=SLOTS,
+        )  # fmt: skip
+        self.live.begin(self.run, keep_scale=live)
+        self.run.start()
+        self.headline.accept()
+        self.headline.update(self.run)
+        self.header.update(self.run)
+        self._start_clock()
+
+    def toggle(self) -> None:
+        """Run, pause, go on: whichever comes next."""
+        if self.run is None or self.run.phase.ended:
+            self.start()
+        else:
+            self.pause()
+
+    def pause(self) -> None:
+        """Pause the run, or let it go on."""
+        if self.run is not None and not self.run.phase.ended:
+            paused = self.run.phase is Phase.PAUSED
+            (self.run.resume if paused else self.run.pause)()
+
+    def step(self) -> None:
+        """One time step: of the run that is paused, or of a new one."""
+        if self.run is None or self.run.phase.ended:
+            self.start(paused=True)
+        assert self.run is not None
+        self.run.step()
+
+    def stop(self) -> None:
+        """End the run before its next step; what was computed stays."""
+        if self.run is not None:
+            self.run.stop()
+
+    def run_live(self) -> None:
+        """Run after a change, but not more often than can be seen."""
+        if self._waiting:
+            return
+        if self._document is None or self.run is None:
+            self.start(live=True)
+            return
+        self._waiting = True
+        self._document.add_timeout_callback(self._run_now, _LIVE_PAUSE)
+
+    def load_preset(self, name: str) -> None:
+        """Put a preset into the form."""
+        self.controls.load(name)
+        self.live.axis.value = "time" if self._returns() else "indentation"
+
+    def close(self) -> None:
+        """The visitor has left."""
+        self._stop_clock()
+        self.stop()
+        self.run = None
+        self.tabs.close()
+        self.controls.close()
+
+    def frame(self) -> None:
+        """Show what the solver has left since the last frame, if the browser keeps up."""
+        run, self._ticks = self.run, self._ticks + 1
+        if run is None or not self.browser.is_ready:
+            return
+        try:
+            with pn.io.unlocked():
+                self._show(run)
+                self.browser.send_frame()
+        except Exception:
+            self._stop_clock()
+            self.stop()
+            self.headline.refuse("this run could not be drawn to its end")
+            raise
+
+    def _show(self, run: Run) -> None:
+        ended = run.phase.ended  # read before the rows: then no row comes after it
+        if self.live.player.playing:
+            self.live.player.tick(FRAME / 1e3)
+        self.live.draw(run, ended)
+        self.headline.update(run)
+        self.header.update(run)
+        if ended or self._ticks % _TAB_PERIOD == 0:
+            self.tabs.show(run)
+        if ended and not self.live.player.playing:
+            self._stop_clock()
+
+    def _run_now(self) -> None:
+        self._waiting = False
+        self.start(live=True)
+
+    def _changed(self, paths: Iterable[str]) -> None:
+        """The form says something else."""
+        self.headline.accept()
+        self.whatif.update()
+        self.header.preset.label = self.controls.preset
+        if self.whatif.live.value:
+            self.run_live()
+
+    def _returns(self) -> bool:
+        return self.controls.scenario.loading.profile in _RETURNING
+
+    def _redraw(self) -> None:
+        """Another step is to be shown; while a run goes on, or is replayed, the clock does it."""
+        if self.run is None:
+            return
+        if self.live.player.playing:
+            self._start_clock()
+        if self._clock is None:
+            self.live.draw(self.run, True)
+
+    def _start_clock(self) -> None:
+        # Bokeh's own: Panel's counts every tick as the page being busy, and tells the page
+        if self._clock is None and self._document is not None:
+            self._clock = self._document.add_periodic_callback(self.frame, FRAME)
+
+    def _stop_clock(self) -> None:
+        if self._clock is not None:
+            self._document.remove_periodic_callback(self._clock)
+            self._clock = None
+
+    def _look_soon(self, _attribute: str, _old: Any, _new: Any) -> None:
+        """A plot shows another range; not every pixel of a drag is worth an answer."""
+        if self._document is not None and not self._looking:
+            self._looking = True
+            self._document.add_timeout_callback(self._look, _LOOK)
+
+    def _look(self) -> None:
+        self._looking = False
+        self.live.look()
+
+    def present(self) -> None:
+        """Presentation mode: large type, and nothing beside the plots; or back."""
+        self._large = not self._large
+        size = HALL if self._large else DESK
+        self.browser.scale_type(size.tick / DESK.tick)
+        self.live.enlarge(size)
+        self.tabs.enlarge(size)
+        self.on_present(self._large)
+
+    def _paced(self, duration: float) -> None:
+        if self.run is not None:
+            self.run.duration = duration
+
+    def _pressed(self, key: str) -> None:
+        action = keyboard.actions(self).get(key)
+        if action is not None:
+            action()
+
+    def _wire(self) -> None:
+        for button, action in (
+            (self.header.run, self.start), (self.header.pause, self.pause),
+            (self.header.step, self.step), (self.header.stop, self.stop),
+            (self.header.preset, self.dialogs.presets), (self.header.share, self.dialogs.share),
+            (self.header.present, self.present), (self.header.help, self.dialogs.help),
+        ):  # fmt: skip
+            button.on_click(lambda _, action=action: action())
+        self.browser.on_key = self._pressed
+        for view in (self.live.force, self.live.iterations):
+            view.root.x_range.on_change("start", self._look_soon)
+            view.root.x_range.on_change("end", self._look_soon)
+        self.header.preset.label = self.controls.preset

@@ -1,0 +1,87 @@
+"""Watch, and what is looked at at rest: one tab each, made when it is first opened."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
+
+import panel as pn
+import panel_material_ui as pmui
+from panel.viewable import Viewable
+
+from .runner import Run
+from .views.style import DESK, Size
+
+
+class Tab(Protocol):
+    """A view on a run."""
+
+    root: Viewable
+
+    def show(self, run: Run | None, size: Size = DESK) -> None:
+        """Draw a run as far as it has come; None before the first."""
+
+
+class Tabs:
+    """The tabs of one session; the first is what is watched live.
+
+    Parameters
+    ----------
+    live : what stands in the first one.
+    makers : title -> what makes the view of a tab, when it is first opened.
+
+    Attributes
+    ----------
+    root : the tabs.
+    """
+
+    def __init__(self, live: Viewable, makers: Mapping[str, Callable[[], Tab]]) -> None:
+        self._makers = dict(makers)
+        self._made: dict[str, Tab] = {}
+        self._titles = ["Watch", *makers]
+        self._places = [pn.Column(sizing_mode="stretch_width", margin=0) for _ in makers]
+        self._run: Run | None = None
+        self._size = DESK
+        self.root = pmui.Tabs(
+            ("Watch", live), *zip(makers, self._places, strict=True), dynamic=True,
+            sizing_mode="stretch_width", margin=0,
+        )  # fmt: skip
+        self.root.param.watch(lambda event: self._opened(event.new), "active")
+
+    @property
+    def title(self) -> str:
+        """Of the tab on show."""
+        return self._titles[self.root.active]
+
+    def open(self, title: str) -> None:
+        """Show a tab."""
+        self.root.active = self._titles.index(title)
+
+    def made(self, title: str) -> Any:
+        """The view of a tab that has been opened, or None."""
+        return self._made.get(title)
+
+    def show(self, run: Run | None) -> None:
+        """Show a run in the tab that is open."""
+        self._run = run
+        if self.title in self._made:
+            self._made[self.title].show(run, self._size)
+
+    def enlarge(self, size: Size) -> None:
+        """Set the type."""
+        self._size = size
+        self.show(self._run)
+
+    def close(self) -> None:
+        """End what views may have under way."""
+        for view in self._made.values():
+            if hasattr(view, "close"):
+                view.close()
+
+    def _opened(self, index: int) -> None:
+        title = self._titles[index]
+        if title in self._makers and title not in self._made:
+            view = self._made[title] = self._makers[title]()
+            self._places[index - 1].objects = [view.root]
+            self.root.param.trigger("objects")
+        self.show(self._run)

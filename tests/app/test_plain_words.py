@@ -1,0 +1,62 @@
+"""What is said of a run, in plain words."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.plain_words import describe, duration, three_digits
+from app.runner import Run
+
+
+def test_what_is_coming_is_said_before_it_comes(finished: Run) -> None:
+    assert "all converged" in describe(finished)[0]
+    finished.record.columns["stability_margin"][20] = -0.3
+    sentence, bad = describe(finished)
+    assert not bad
+    place = finished.record.columns["indentation"][20] * 1e6
+    assert f"from {place:.1f} µm on the springs are too stiff" in sentence
+
+
+def test_a_failed_step_is_described_with_place_size_cause_and_advice(finished: Run) -> None:
+    columns = finished.record.columns
+    columns["converged"][10] = 0
+    columns["stability_margin"][8] = -0.3
+    finished.scenario.numerics.kernel = "band-limited"
+    finished.record.fields(10)[1]["element_force"][2, 4] += 50.0
+    sentence, bad = describe(finished)
+    assert bad
+    assert "1 not converged, the first at step 10 and " in sentence
+    assert "residual" in sentence
+    assert "worst at row 3, column 5" in sentence
+    assert f"From {columns['indentation'][8] * 1e6:.1f} µm on the band-limited kernel" in sentence
+    assert "try time-resolution factor 2, or the passive kernel" in sentence
+
+
+def test_a_step_that_fails_without_an_instability_gets_other_advice(finished: Run) -> None:
+    finished.record.columns["converged"][10] = 0
+    sentence, _ = describe(finished)
+    assert "unstable" not in sentence
+    assert "more iterations" in sentence
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (0.0, "0"),
+        (203.79, "204"),
+        (2234.9, "2230"),
+        (0.6042, "0.604"),
+        (35.0, "35.0"),
+        (2.9, "2.90"),
+        (1e-9, "1.00e-09"),
+    ],
+)
+def test_numbers_have_three_significant_digits(value: float, shown: str) -> None:
+    assert three_digits(value) == shown
+
+
+@pytest.mark.parametrize(
+    ("seconds", "said"), [(0.2, "1 s"), (42.3, "42 s"), (600.0, "10 min"), (7200.0, "2.0 h")]
+)
+def test_times_are_said_as_people_say_them(seconds: float, said: str) -> None:
+    assert duration(seconds) == said

@@ -53,7 +53,10 @@ export function render({model, el}) {
   // a frame is on the screen when the browser has come to rest after drawing it
   model.on("frame", () => {
     const frame = model.frame
-    requestAnimationFrame(() => setTimeout(() => model.send_msg({shown: frame}), 0))
+    requestAnimationFrame(() => setTimeout(() => {
+      model.send_msg({shown: frame})
+      document.dispatchEvent(new CustomEvent("tyrecontact-frame", {detail: frame}))
+    }, 0))
   })
   model.on("msg:custom", async (message) => {
     if (message.copy !== undefined) { model.send_msg({copied: await copy(message.copy)}) }

@@ -6,66 +6,23 @@ The thread writes, everybody else reads: rows of `record` up to `record.count`, 
 
 from __future__ import annotations
 
-import json
 import threading
-import time
-from collections import OrderedDict
-from dataclasses import dataclass
-from enum import Enum
-
-import numpy as np
+from collections.abc import Callable
 
 from tyrecontact import Results, Scenario, Simulation
 from tyrecontact.errors import TyreContactError
 from tyrecontact.results import STOPPED, Record
+from tyrecontact.reuse import hand_on
 
-#: steps of the quasi-static run that a dynamic one is compared with
-BASELINE_STEPS = 160
-_KEPT_BASELINES = 16
+from . import baseline
+from .baseline import Baseline
+from .gate import Gate
+from .limits import Limits
+from .pace import Pace
+from .phase import Phase
+from .slots import Slots
 
-
-class Phase(Enum):
-    """Where a run stands; the last four are ends."""
-
-    WAITING = "waiting"
-    PREPARING = "preparing"
-    RUNNING = "running"
-    FINISHED = "finished"
-    STOPPED = "stopped"
-    REFUSED = "refused"  #: before the first step
-    FAILED = "failed"  #: after it: what was computed stays
-
-    @property
-    def ended(self) -> bool:
-        return self not in (Phase.WAITING, Phase.PREPARING, Phase.RUNNING)
-
-
-@dataclass(frozen=True)
-class Baseline:
-    """The same scenario with the tread at rest in every step, on few steps.
-
-    Attributes
-    ----------
-    time [s], indentation [m], contact_force [N] : shape (steps,).
-    peak_element_force : largest force on an element [N].
-    """
-
-    time: np.ndarray
-    indentation: np.ndarray
-    contact_force: np.ndarray
-    peak_element_force: float
-
-    @property
-    def met(self) -> np.ndarray:
-        """Indentations [m], but for those far from where road and tread meet.
-
-        A road that a force has torn off flies away for millimetres.
-        """
-        touching = np.flatnonzero(self.contact_force)
-        if not touching.size:
-            return self.indentation
-        near = self.indentation[: touching[-1] + 1]
-        return self.indentation.clip(near.min() - np.ptp(near), None)
+__all__ = ["Baseline", "Phase", "Run"]
 
 
 class Run:
@@ -76,40 +33,113 @@ class Run:
     scenario : is copied.
     duration : least wall-clock time of the whole run [s], so that it can be watched; 0 is as
         fast as possible.
-    after : a run that this one supersedes: it is stopped, and waited for.
+    after : a run that this one supersedes: it is stopped, and waited for, which takes no longer
+        than a step, or a part of its preparation; what it has made is used again.
+    paused : it pauses before its first step.
+    baseline_first : the baseline comes before the first step; otherwise after the last one, in
+        the phase COMPARING, unless it is there already. A run that is stopped has none then.
+    limits : what it may take.  slots : the queue of all runs; none: it waits for nobody.
 
     Attributes
     ----------
     phase : where the run stands.
     simulation, record, baseline : None until they are made; `record` grows while running.
-    message : why the run was refused or failed, or empty.
+    message : why the run was refused or failed or had to end early, or empty.
+
+    Raises
+    ------
+    InputError : a duration that is no time.
     """
 
-    def __init__(self, scenario: Scenario, duration: float = 0.0, after: Run | None = None) -> None:
+    def __init__(
+        self,
+        scenario: Scenario,
+        duration: float = 0.0,
+        after: Run | None = None,
+        *,
+        paused: bool = False,
+        baseline_first: bool = True,
+        limits: Limits | None = None,
+        slots: Slots | None = None,
+    ) -> None:
         self.scenario = scenario.copy()
         self.phase = Phase.WAITING
         self.simulation: Simulation | None = None
         self.record: Record | None = None
         self.baseline: Baseline | None = None
         self.message = ""
-        self._duration = duration
         self._after = after
-        self._stop = threading.Event()
+        self._made: Simulation | None = None  # or that of the run before: its parts are used again
+        self._baseline_first, self._limits = baseline_first, limits or Limits()
+        self._pace = Pace(duration)
+        self._gate = Gate(self._say, self._pace, slots or Slots(), self._limits.seconds, paused)
+        self._at_end: list[Callable[[], None]] = []
         self._thread = threading.Thread(target=self._work, name="tyrecontact-run", daemon=True)
+
+    @property
+    def duration(self) -> float:
+        """Least wall-clock time of the whole run [s]; a change holds from the next step on."""
+        return self._pace.duration
+
+    @duration.setter
+    def duration(self, seconds: float) -> None:
+        self._pace.duration = seconds
+        self._gate.wake()
 
     @property
     def stopping(self) -> bool:
         """Asked to end, and not at its end yet."""
-        return self._stop.is_set() and not self.phase.ended
+        return self._gate.stopped and not self.phase.ended
+
+    @property
+    def paused(self) -> bool:
+        """Asked to pause, and not at its end; `phase` is PAUSED as soon as it does."""
+        return self._gate.paused and not self.phase.ended
+
+    @property
+    def place(self) -> int:
+        """Place in the queue, 1 for the next one; 0 for a run that is not in it."""
+        return self._gate.place
+
+    @property
+    def progress(self) -> float:
+        """Share of the steps that are done, from 0 to 1."""
+        record, simulation = self.record, self.simulation
+        return 0.0 if record is None or simulation is None else record.count / len(simulation)
+
+    @property
+    def time_left(self) -> float | None:
+        """How long the other steps will take [s]; None while that cannot be said, or paused."""
+        if self.phase is not Phase.RUNNING or self.record is None:
+            return None
+        return self._pace.time_left(self.record.count)
 
     def start(self) -> None:
-        if self._after is not None:
-            self._after.stop()
-        self._thread.start()
+        after = self._after
+        self._gate.queue(None if after is None else after._gate)
+        if after is not None:
+            after.stop()
+        try:
+            self._thread.start()
+        except RuntimeError:  # no more threads, or started before
+            self._gate.leave()
+            raise
 
     def stop(self) -> None:
         """Ask the run to end; it does so before its next step and keeps what it has."""
-        self._stop.set()
+        self._gate.stop()
+
+    def pause(self) -> None:
+        """Ask the run to pause before its next step."""
+        self._gate.pause()
+
+    def resume(self) -> None:
+        """Let the run go on, at its pace: the time of the pause is not made up."""
+        self._gate.resume()
+
+    def step(self) -> None:
+        """Let a run that pauses, or is to pause, take one more step; others take no notice."""
+        self._gate.step()
 
     def join(self, timeout: float | None = None) -> bool:
         """Wait for the end; True if it has come."""
@@ -118,91 +148,103 @@ class Run:
 
     def results(self) -> Results | None:
         """What has been computed so far, or None if nothing has."""
-        if self.simulation is None or self.record is None:
+        if self.simulation is None or self.record is None or self.record.count == 0:
             return None
-        reason = {Phase.STOPPED: STOPPED, Phase.FAILED: self.message}
+        reason = {Phase.STOPPED: self.message or STOPPED, Phase.FAILED: self.message}
         return self.simulation.collect(self.record, reason.get(self.phase, ""))
 
-    def _work(self) -> None:
-        if self._after is not None:
-            self._after.join()
-            self._after = None
-        try:
-            self.phase = Phase.PREPARING
-            complete = self._prepare() and self._solve()
-            self.phase = Phase.FINISHED if complete else Phase.STOPPED
-        except (TyreContactError, MemoryError) as error:
-            self._end_in(str(error) or "not enough memory for this run")
-        except BaseException as error:
-            self._end_in(f"an error that should not be, {error!r}")
-            raise
+    def _say(self, phase: Phase) -> None:
+        self.phase = phase
 
-    def _end_in(self, message: str) -> None:
+    def _work(self) -> None:
+        try:
+            end = self._go()
+        except (TyreContactError, MemoryError) as error:
+            end = self._failed(str(error) or "not enough memory for this run")
+        except BaseException as error:
+            end = self._failed(f"an error that should not be, {error!r}")
+            raise
+        finally:
+            self._gate.leave()
+            self.phase = end
+            for tell in list(self._at_end):
+                tell()
+
+    def _go(self) -> Phase:
+        """From the first wait to the last step; how it ended."""
+        if not (self._succeeds() and self._gate.admits()):
+            return Phase.STOPPED
+        self.phase = Phase.PREPARING
+        if self._prepare() and self._solve():
+            self._compare()
+            return Phase.FINISHED
+        if not self._gate.stopped:
+            seconds = self._limits.seconds
+            self.message = f"stopped after {seconds:g} s, the longest that this server computes"
+        return Phase.STOPPED
+
+    def _failed(self, message: str) -> Phase:
         self.message = message
         begun = self.record is not None and self.record.count > 0
-        self.phase = Phase.FAILED if begun else Phase.REFUSED
+        return Phase.FAILED if begun else Phase.REFUSED
+
+    def _succeeds(self) -> bool:
+        """Wait for the run that this one supersedes, and for those that it had to wait for."""
+        while self._after is not None:
+            before = self._after
+            if not self._gate.wait_for(before._has_ended_or_tells(self._gate.wake)):
+                return False
+            self._made = self._made or before._made
+            self._after = before._after
+        return True
+
+    def _has_ended_or_tells(self, tell: Callable[[], None]) -> Callable[[], bool]:
+        """Whether it has ended, or never began; `tell` is called when it has ended."""
+        self._at_end.append(tell)
+        return lambda: self.phase.ended or self._thread.ident is None
 
     def _prepare(self) -> bool:
-        """Make what the loop needs; False where the run was stopped meanwhile."""
+        """Make what the loop needs; False where the run is to end instead."""
         simulation = Simulation(self.scenario)
-        for part in ("patch", "springs", "kernel", "bodies"):
-            if self._stop.is_set():
+        self._limits.check(simulation)
+        if self._made is not None:
+            hand_on(self._made, simulation)
+        self._made = simulation
+        for part in ("patch", "springs", "kernel", "bodies", "margin"):
+            if self._gate.is_closed:
                 return False
             getattr(simulation, part)
-        baseline = _baseline(simulation, self._stop)
-        if baseline is None:
-            return False
+        found = baseline.kept(simulation)
+        if found is None and self._baseline_first:
+            found = baseline.made(simulation, lambda: self._gate.is_closed)
+            if found is None:
+                return False
         memory = simulation.scenario.numerics.field_memory
         self.record = Record(len(simulation), simulation.bodies.kernel.shape, memory)
-        self.baseline = baseline
-        self.simulation = simulation
+        self.baseline, self.simulation = found, simulation
         return True
 
     def _solve(self) -> bool:
-        """The loop; False where the run was stopped before its end."""
+        """The loop; False where the run is to end before its last step."""
         assert self.simulation is not None
         assert self.record is not None
-        self.phase = Phase.RUNNING
-        began, steps = time.monotonic(), len(self.simulation)
-        for step in self.simulation:
+        steps, total = iter(self.simulation), len(self.simulation)
+        self._pace.steps = total
+        self._say(Phase.PAUSED if self._gate.paused else Phase.RUNNING)
+        while self._gate.lets_through():
+            step = next(steps)
             self.record.append(step)
-            if step.stop_reason or self.record.count == steps:
-                break
-            due = began + self._duration * self.record.count / steps
-            if self._stop.is_set() or self._stop.wait(max(0.0, due - time.monotonic())):
-                return False
-        return True
+            if step.stop_reason or self.record.count == total:
+                return True
+        return False
 
-
-_baselines: OrderedDict[str, Baseline] = OrderedDict()
-_baselines_lock = threading.Lock()
-
-
-def _baseline(simulation: Simulation, stop: threading.Event) -> Baseline | None:
-    """The quasi-static run of a scenario, or None if stopped; kept, as few settings change it."""
-    parts = simulation.scenario.to_dict()
-    del parts["numerics"]
-    key = json.dumps([parts, simulation.time_step])
-    with _baselines_lock:
-        if key in _baselines:
-            _baselines.move_to_end(key)
-            return _baselines[key]
-    made = _run_at_rest(simulation, stop)
-    if made is not None and not simulation.scenario.road.file:  # a file may change under its name
-        with _baselines_lock:
-            _baselines[key] = made
-            while len(_baselines) > _KEPT_BASELINES:
-                _baselines.popitem(last=False)
-    return made
-
-
-def _run_at_rest(simulation: Simulation, stop: threading.Event) -> Baseline | None:
-    still = simulation.quasi_static(BASELINE_STEPS)
-    record, peak = Record(len(still), simulation.bodies.kernel.shape, field_memory=0.0), 0.0
-    for step in still:
-        if stop.is_set():
-            return None
-        record.append(step)
-        peak = max(peak, float(step.element_force.max()))
-    results = still.collect(record)
-    return Baseline(results.time, results.indentation, results.contact_force, peak)
+    def _compare(self) -> None:
+        """Make the baseline where it is still missing; all steps are there, with or without."""
+        assert self.simulation is not None
+        if self.baseline is not None or self._gate.is_closed:
+            return
+        self.phase = Phase.COMPARING
+        try:
+            self.baseline = baseline.made(self.simulation, lambda: self._gate.is_closed)
+        except (TyreContactError, MemoryError) as error:
+            self.message = f"no quasi-static run to compare with: {error}"

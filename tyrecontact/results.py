@@ -19,7 +19,7 @@ from tyrecontact.steps import FIELDS, SCALARS, Step
 if TYPE_CHECKING:
     import xarray as xr
 
-#: how a run ends that did not fail
+#: how a run ends that did not fail; who else stops one says "stopped ..." as well, and why
 COMPLETED, STOPPED = "completed", "stopped by the user"
 #: for the fields of a run, unless its scenario says otherwise [B]
 FIELD_MEMORY: float = Numerics().field_memory
@@ -149,7 +149,8 @@ class Results:
         failed = np.flatnonzero(self.columns["converged"] == 0)
         if failed.size:
             return int(failed[0])
-        return len(self) - 1 if self.stop_reason not in (COMPLETED, STOPPED) else None
+        ended_well = self.stop_reason.startswith((COMPLETED, "stopped "))
+        return None if ended_well else len(self) - 1
 
     @property
     def unstable_at(self) -> int | None:

@@ -85,6 +85,22 @@ class Scenario(Part):
             result[part][name] = deepcopy(value)  # tables are nobody else's to change
         return result
 
+    def file_stamps(self) -> list[tuple[str, int, int]]:
+        """Name, time of change [ns] and size [B] of each file that is named, where there is one.
+
+        A file may change under its name: what was made of it is good while its stamp stays.
+        """
+        layers = [layer.get("modulus_table", "") for layer in self.tread.layers]
+        names = [self.road.file, self.loading.table, self.tread.modulus_table, *layers]
+        stamps = []
+        for name in filter(None, names):
+            try:
+                found = Path(name).expanduser().stat()
+            except (OSError, ValueError, RuntimeError):  # refused where it is read
+                continue
+            stamps.append((name, found.st_mtime_ns, found.st_size))
+        return stamps
+
     def copy(self) -> Scenario:
         """An equal scenario that shares nothing with this one."""
         return Scenario(**self.to_dict())

@@ -56,6 +56,7 @@ class Simulation:
 
     def __init__(self, scenario: Scenario) -> None:
         self.scenario = scenario.copy()
+        self.stamps = self.scenario.file_stamps()
         numerics = self.scenario.numerics
         self.time_step = 1 / (numerics.sampling_frequency * numerics.time_resolution_factor)
         assembly.require_consistent(self.scenario)
@@ -74,7 +75,7 @@ class Simulation:
             yield from self._steps()
 
     def _steps(self) -> Iterator[Step]:
-        bodies, solver, margin = self.bodies, self.solver, StabilityMargin(self.kernel)
+        bodies, solver, margin = self.bodies, self.solver, self.margin.fresh()
         state, value = State.at_rest(bodies, self._start), 1.0
         interval = self.scenario.numerics.margin_interval
         for index, moment in enumerate(self._moments()):
@@ -135,7 +136,12 @@ class Simulation:
     @cached_property
     def springs(self) -> Springs:
         """Roughness springs, after the exchange; element (row, column) is row x nx + column."""
-        return assembly.roughness_springs(self.patch, self.scenario)
+        return assembly.arranged_springs(self.original_springs, self.scenario.springs)
+
+    @cached_property
+    def original_springs(self) -> Springs:
+        """Roughness springs as read off the road, before the exchange."""
+        return assembly.original_springs(self.patch, self.scenario)
 
     @cached_property
     def kernel(self) -> Kernel:
@@ -143,12 +149,22 @@ class Simulation:
         return assembly.tread_kernel(self.scenario)
 
     @cached_property
+    def lattice(self) -> LatticeKernel:
+        """The kernel ready for products with element forces."""
+        return LatticeKernel(self.kernel)
+
+    @cached_property
+    def margin(self) -> StabilityMargin:
+        """How far the kernel is from where time stepping blows up, before the first step."""
+        return StabilityMargin(self.kernel)
+
+    @cached_property
     def bodies(self) -> Bodies:
         """Road and tread, ready for the solver."""
         tops = heights.element_tops(self.patch, self.scenario.road.elements).ravel()
         law = assembly.adhesion_law(self.scenario.adhesion, self.springs)
         machine = assembly.machine(self.scenario.loading)
-        return Bodies(LatticeKernel(self.kernel), self.springs, law, tops - tops.max(), machine)
+        return Bodies(self.lattice, self.springs, law, tops - tops.max(), machine)
 
     @cached_property
     def _watch(self) -> Watch:

@@ -8,7 +8,7 @@ import time
 import numpy as np
 import pytest
 
-from app import runner
+from app import baseline
 from app.runner import Phase, Run
 from tyrecontact import Scenario, Simulation
 from tyrecontact.results import Record, Step
@@ -90,7 +90,7 @@ def test_later_changes_of_the_scenario_do_not_reach_the_run(small: Scenario) -> 
 
 
 def test_the_baseline_is_the_run_at_rest_and_is_kept(small: Scenario) -> None:
-    runner._baselines.clear()
+    baseline._baselines.clear()
     runs = [Run(small), Run(small)]
     for run in runs:
         run.start()

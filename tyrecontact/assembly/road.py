@@ -108,9 +108,14 @@ def _made(road: Road) -> Patch:
 
 def roughness_springs(patch: Patch, scenario: Scenario) -> Springs:
     """Springs of all elements of a patch: read, exchanged, then simplified."""
+    return arranged_springs(original_springs(patch, scenario), scenario.springs)
+
+
+def original_springs(patch: Patch, scenario: Scenario) -> Springs:
+    """Springs of all elements of a patch, as read off its heights."""
     settings, elements = scenario.springs, scenario.road.elements
     blocks = heights.element_heights(patch, elements).reshape(elements**2, -1)
-    original = springs.from_heights(
+    return springs.from_heights(
         blocks,
         patch.pitch,
         settings.youngs_modulus,
@@ -118,6 +123,10 @@ def roughness_springs(patch: Patch, scenario: Scenario) -> Springs:
         reading=settings.reading,
         smoothing=settings.smoothing,
     )
+
+
+def arranged_springs(original: Springs, settings: SpringSettings) -> Springs:
+    """Springs as read, exchanged, then simplified; the same object where neither is asked for."""
     exchanged = springs.exchange_stiffest(
         original,
         settings.exchange_count,

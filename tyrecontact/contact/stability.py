@@ -14,6 +14,8 @@ The worst patterns of force change little from step to step, so that they are fo
 
 from __future__ import annotations
 
+from copy import copy
+
 import numpy as np
 from scipy.linalg import eigvalsh
 from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh
@@ -48,11 +50,20 @@ class StabilityMargin:
         angle = kernels.critical_angle(kernel)
         power = kernels.hermitian_symbol(kernel, angle) / (1 - np.cos(angle))
         self._power = Compliance(power)
-        self._random = np.random.default_rng(0)  # the same every time
-        self._followed: Followed | None = None
-        self._stiffness = np.zeros(power.size)
+        self._start()
         # of all elements: long waves may draw power where a part of the patch draws none
         self.is_passive = lowest_power(power) >= -_ROUNDING * kernel.values[0, 0, 0]
+
+    def fresh(self) -> StabilityMargin:
+        """The margin for another run; what depends on the kernel alone is not computed again."""
+        other = copy(self)
+        other._start()
+        return other
+
+    def _start(self) -> None:
+        self._random = np.random.default_rng(0)  # the same every time
+        self._followed: Followed | None = None
+        self._stiffness = np.zeros(self._power.products.values.size)
 
     def of(self, stiffness: np.ndarray) -> float:
         """Margin [-] for element stiffnesses [N/m], shape (elements,)."""

@@ -1,0 +1,57 @@
+"""A run as files: netCDF with everything, CSV with the numbers of every step."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import numpy as np
+import pandas as pd
+
+from tyrecontact import Results
+from tyrecontact.steps import SCALARS
+
+from . import code
+
+
+def file_name(preset: str, ending: str, when: datetime | None = None) -> str:
+    """A name that says what and when (UTC): tyrecontact-fig-44-14-N-20250601-143005.nc."""
+    moment = (when or datetime.now(UTC)).astimezone(UTC)
+    words = re.sub(r"[^A-Za-z0-9]+", "-", preset).strip("-")
+    return f"tyrecontact-{words}-{moment:%Y%m%d-%H%M%S}.{ending}"
+
+
+def netcdf(results: Results, names: Mapping[str, str] | None = None) -> bytes:
+    """What `tyrecontact run --output` writes, numbers and maps (netCDF 3, read by all).
+
+    Parameters
+    ----------
+    results : of a run, complete or not.
+    names : path of a setting -> name that its file had where it came from; no folder is told.
+    """
+    told = replace(results, scenario=code.without_folders(results.scenario, names))
+    return bytes(told.to_xarray().to_netcdf(engine="scipy"))
+
+
+def csv(preset: str, results: Results, names: Mapping[str, str] | None = None) -> str:
+    """Numbers of every step, a row each, to the last digit.
+
+    The first line names the columns with their units, "contact_force [N]". Meanings and scenario
+    follow the numbers as comments (#): in front, they would be taken for the head of the table by
+    numpy.genfromtxt(names=True, delimiter=",") and by spreadsheets.
+    """
+    columns: dict[str, np.ndarray] = {"step": np.arange(len(results))}
+    notes = ["step: number of the step, from 0"]
+    units = {"time": ("s", "Time"), **{name: kept[:2] for name, kept in SCALARS.items()}}
+    units["drive"] = ("N" if results.scenario.loading.drive == "force" else "m", units["drive"][1])
+    for name, (unit, meaning) in units.items():
+        label = name if unit == "1" else f"{name} [{unit}]"
+        columns[label] = results.columns[name]
+        notes.append(f"{label}: {meaning}")
+    table = pd.DataFrame(columns).to_csv(index=False, lineterminator="\n")
+    scenario = code.without_folders(results.scenario, names)
+    notes += [f"The run: {results.stop_reason}", "The scenario, for tyrecontact run FILE.toml:"]
+    notes += code.toml(preset, scenario).splitlines()
+    return table + "".join(f"# {note}".rstrip() + "\n" for note in notes)

@@ -69,9 +69,8 @@ def road_understood(road: Road) -> Understood:
     return understood(road_scan(road))
 
 
-def with_ends(scan: Scan, road: Road) -> Scan:
-    """A scan turned and levelled as if `prepared`, but with its trimmed ends on, to be shown."""
-    kept = prepared(scan, road)
+def with_ends(kept: Scan, scan: Scan, road: Road) -> Scan:
+    """What was `prepared` of a scan, turned and levelled likewise, its trimmed ends on again."""
     if kept.heights.shape == scan.heights.shape:
         return kept
     heights = -scan.heights if road.height_direction == "down" else scan.heights

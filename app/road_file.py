@@ -1,118 +1,187 @@
-"""The control that takes a road file: drop, pitch and unit, and what was understood."""
+"""The control that takes a road file: upload, dialog, and the line that says what is used."""
 
 from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
+from typing import Any
 
+import panel as pn
 import panel_material_ui as pmui
-import param
 
-from tyrecontact.errors import InputError
-from tyrecontact.road import prepare, scans
-from tyrecontact.road.formats import instruments
-from tyrecontact.road.understood import understood
+from tyrecontact.parts.road import Road
 
-#: an upload with more bytes than this is refused
-MAX_BYTES = 64_000_000
-_NONE = "No file: a worn road is made from the seed."
+from .latest import Latest
+from .road_dialog import SETTINGS, RoadDialog
+from .road_reading import Look, Reading
+from .road_upload import Upload
+
+_NONE = "No file: a road is made from the seed."
+#: files of a visitor that are kept, so that undo finds the road before
+_KEPT = 3
+
+
+@dataclass(frozen=True)
+class _InUse:
+    """A file that was used: its name, the settings it was used with, and a line on it."""
+
+    name: str
+    road: Road
+    line: str
 
 
 class RoadFile:
-    """Keeps an uploaded file for one session and hands it on once it can be read.
+    """Keeps a visitor's files for one session and hands on what was confirmed in the dialog.
 
     Parameters
     ----------
-    take : called with (path, pitch [m], unit) of a road that can be read, or ("", 0, "").
-    refuse : called with one sentence about a file that cannot.
+    take : called with the values of settings by path, "road.file" last and "" without a file.
+    refuse : called with one sentence about a file that cannot be used.
+    road : gives the settings of the form, for what the dialog does not ask (elements, fill limit).
+
+    Attributes
+    ----------
+    root : what stands in the form. dialog : to be placed once, anywhere on the page.
     """
 
     def __init__(
-        self, take: Callable[[str, float, str], None], refuse: Callable[[str], None]
+        self,
+        take: Callable[[dict[str, Any]], None],
+        refuse: Callable[[str], None],
+        road: Callable[[], Road] = Road,
     ) -> None:
-        self._take, self._refuse = take, refuse
+        self._take, self._refuse, self._road = take, refuse, road
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self._path: Path | None = None
-        self._name = ""
-        self.file = pmui.FileInput(
-            label="Road file",
-            accept=",".join((*scans.ENDINGS, ".gz", *instruments.ENDINGS)),
-            sizing_mode="stretch_width",
-        )
-        self.pitch = pmui.FloatInput(
-            label="Pitch of the file [µm]", value=None, size="small", sizing_mode="stretch_width"
-        )
-        self.unit = pmui.Select(
-            label="Unit of its heights", options=["", *scans.UNITS], value="", size="small",
-            sizing_mode="stretch_width",
+        self._numbers = count(1)
+        self._used: dict[str, _InUse] = {}
+        self._reading: Reading | None = None
+        self._look: Look | None = None
+        self._asked: RoadDialog | None = None
+        self.file = ""
+        self.work = Latest(pn.state.curdoc)
+        self.upload = Upload(
+            self._place, self._say, self._arrived, self._reject, label="Bring a road file",
+            uploaded_label="Bring another road file", sizing_mode="stretch_width",
         )  # fmt: skip
-        self.clear = pmui.Button(label="Back to the made road", size="small", variant="outlined")
         self.status = pmui.Typography(_NONE, variant="caption", margin=(0, 10))
-        self.root = pmui.Column(
-            self.file, self.pitch, self.unit, self.status, self.clear, sizing_mode="stretch_width"
+        self.change = pmui.Button(label="Change…", size="small", variant="outlined", visible=False)
+        self.clear = pmui.Button(
+            label="Back to the made road", size="small", variant="outlined", visible=False
         )
-        self.file.param.watch(self._uploaded, "value")
-        self.pitch.param.watch(lambda _: self._understand(), "value")
-        self.unit.param.watch(lambda _: self._understand(), "value")
+        self.change.on_click(lambda _: self.reopen())
         self.clear.on_click(lambda _: self.forget())
+        self.root = pn.Column(
+            self.upload, self.status, pn.Row(self.change, self.clear), sizing_mode="stretch_width"
+        )
+        self.dialog = pn.Column(margin=0)
+
+    def show(self, file: str) -> None:
+        """Say which file is in use after the scenario was changed elsewhere, as by undo."""
+        self.file = file
+        used = self._used.get(file)
+        self.status.object = used.line if used else _NONE
+        self.change.visible = used is not None
+        self.clear.visible = bool(file)
+
+    def reopen(self) -> None:
+        """The dialog again, on the file in use."""
+        used = self._used[self.file]
+        self._begin(Path(self.file), used.name, used.road, fresh=False)
 
     def forget(self) -> None:
-        """Drop the file; the road is made again."""
-        self.close()
-        self.file.param.update(value=None, filename=None)
-        self.status.object = _NONE
-        self._take("", 0.0, "")
+        """The road is made again; the file is kept for undo."""
+        self._drop()
+        self.show("")
+        fresh = Road()
+        self._take({f"road.{name}": getattr(fresh, name) for name in (*SETTINGS, "file")})
 
     def close(self) -> None:
-        """Remove what was kept on disk."""
+        """The visitor has left: remove what was kept on disk."""
+        self.work.drop()
+        self._reading = None
         if self._folder is not None:
             self._folder.cleanup()
-        self._folder = self._path = None
+            self._folder = None
 
-    def _uploaded(self, event: param.parameterized.Event) -> None:
-        content, name = event.new, str(self.file.filename)
-        if not content:
-            return
-        self.forget()
-        try:
-            ending = scans.require_known(name)
-        except InputError as error:
-            self._reject(str(error))
-            return
-        if len(content) > MAX_BYTES:
-            size = f"{len(content) / 1e6:.0f} MB"
-            self._reject(f"{name} must have at most {MAX_BYTES / 1e6:.0f} MB, got {size}")
-            return
-        self._name = name
-        self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
-        # only the ending is taken from the visitor's name
-        self._path = Path(self._folder.name) / f"road{ending}"
-        self._path.write_bytes(content)
-        self._understand()
+    def _place(self, ending: str) -> Path:
+        """Where a file is written; only the ending is taken from the visitor's name."""
+        self._drop()
+        if self._folder is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
+        return Path(self._folder.name) / f"road-{next(self._numbers)}{ending}"
 
-    def _reject(self, sentence: str) -> None:
-        self._take("", 0.0, "")
+    def _say(self, sentence: str) -> None:
+        self.status.object = sentence
+
+    def _arrived(self, path: Path, name: str) -> None:
+        self.show(self.file)
+        form, fresh = self._road(), Road()
+        kept = {name: getattr(form, name) for name in ("elements", "seed")}
+        self._begin(path, name, Road(**kept, size=fresh.size), fresh=True)
+
+    def _reject(self, name: str, sentence: str) -> None:
+        """A file that was not even taken."""
+        self.show(self.file)
+        self._open().refuse(name, sentence)
         self.status.object = f"Not used: {sentence}."
         self._refuse(sentence)
 
-    def _understand(self) -> None:
-        if self._path is None:
+    def _begin(self, path: Path, name: str, road: Road, fresh: bool) -> None:
+        self._drop()
+        self._reading = Reading(path, name)
+        self._open().open(name, road, fresh)
+
+    def _open(self) -> RoadDialog:
+        if self._asked is None:
+            self._asked = RoadDialog(self._look_again, self.use, self.cancel)
+            self.dialog.objects = [self._asked.root]
+        return self._asked
+
+    def _look_again(self, road: Road) -> None:
+        reading = self._reading
+        if reading is not None:
+            self._look = None
+            self.work.ask(lambda: (reading.look(road), road), lambda found: self._show(*found))
+
+    def _show(self, look: Look, road: Road) -> None:
+        self._look = look
+        self._open().show(look, road)
+        if look.refusal and look.found is None:
+            self.status.object = f"Not used: {look.refusal}."
+            self._refuse(look.refusal)
+
+    def use(self) -> None:
+        """What is in the dialog becomes the road."""
+        look, reading, dialog = self._look, self._reading, self._asked
+        if reading is None or dialog is None or look is None or not look.usable:
             return
-        pitch, unit = (self.pitch.value or 0.0) * 1e-6, self.unit.value or ""
-        try:
-            found = understood(
-                prepare.levelled(scans.read(self._path, pitch or None, unit or None))
-            )
-        except scans.NotCarriedError as error:
-            self._take("", 0.0, "")
-            asked = str(error).replace(self._path.name, "the file")
-            self.status.object = (
-                f"{self._name}: give its pitch and the unit of its heights ({asked})."
-            )
-            return
-        except InputError as error:
-            self._reject(str(error).replace(self._path.name, self._name))
-            return
-        self._take(str(self._path), pitch, unit)
-        self.status.object = f"{self._name}: {found.sentence()}"
+        assert look.found is not None
+        road, file = dialog.road(), str(reading.path)
+        line = f"{look.name}: {look.found.sentence()}"
+        self._used.pop(file, None)
+        self._used[file] = _InUse(look.name, road, line)
+        while len(self._used) > _KEPT:
+            oldest = next(iter(self._used))
+            del self._used[oldest]
+            Path(oldest).unlink(missing_ok=True)
+        self._drop()
+        dialog.close()
+        self.show(file)
+        self._take({**{f"road.{name}": getattr(road, name) for name in SETTINGS},
+                    "road.file": file})  # fmt: skip
+
+    def cancel(self) -> None:
+        """The road stays as it was."""
+        self._drop()
+        if self._asked is not None:
+            self._asked.close()
+
+    def _drop(self) -> None:
+        """Let go of a file that is looked at; from the disk, too, if it is not in use."""
+        self.work.drop()
+        reading, self._reading, self._look = self._reading, None, None
+        if reading is not None and str(reading.path) not in self._used:
+            reading.path.unlink(missing_ok=True)

@@ -37,7 +37,9 @@ def road_patch(road: Road) -> Patch:
     ------
     InputError : a road file that cannot be used, or that is too small or too coarse.
     """
-    return heights.centred(_measured(road) if road.file else _made(road), road.elements, road.size)
+    if road.file:
+        return patch_of(road_scan(road), road)
+    return heights.centred(_made(road), road.elements, road.size)
 
 
 def road_scan(road: Road) -> Scan:
@@ -49,7 +51,13 @@ def road_scan(road: Road) -> Scan:
     """
     if not road.file:
         raise InputError("road.file must name a file to be read, got ''")
-    scan = scans.read(road.file, pitch=road.pitch or None, unit=road.height_unit or None)
+    return prepared(
+        scans.read(road.file, pitch=road.pitch or None, unit=road.height_unit or None), road
+    )
+
+
+def prepared(scan: Scan, road: Road) -> Scan:
+    """A scan that was read, trimmed, turned and levelled as settings say; `InputError` if not."""
     scan = prepare.trimmed(scan, road.trim_start, road.trim_end)
     if road.height_direction == "down":
         scan = prepare.turned_over(scan)
@@ -61,8 +69,31 @@ def road_understood(road: Road) -> Understood:
     return understood(road_scan(road))
 
 
-def _measured(road: Road) -> Patch:
-    scan = road_scan(road)
+def with_ends(kept: Scan, scan: Scan, road: Road) -> Scan:
+    """What was `prepared` of a scan, turned and levelled likewise, its trimmed ends on again."""
+    if kept.heights.shape == scan.heights.shape:
+        return kept
+    heights = -scan.heights if road.height_direction == "down" else scan.heights
+    first = round(road.trim_start / scan.pitch)
+    line = heights[first : first + kept.heights.size] - kept.heights
+    known = np.flatnonzero(np.isfinite(line))
+    begin, end = known[0], known[-1]
+    slope = (line[end] - line[begin]) / max(1, end - begin)
+    place = np.arange(heights.size) - first - begin
+    return scan.changed(heights - line[begin] - slope * place)
+
+
+def patch_of(scan: Scan, road: Road) -> Patch:
+    """The patch that settings ask for of a scan that is `prepared`: cut and filled.
+
+    Raises
+    ------
+    InputError : a scan that is too small or too coarse, or of which too much is missing.
+    """
+    return heights.centred(_cut_and_filled(scan, road), road.elements, road.size)
+
+
+def _cut_and_filled(scan: Scan, road: Road) -> Patch:
     if scan.is_profile and road.profile_use == "isotropic":
         whole = prepare.filled(scan, road.fill_limit)
         return _isotropic(whole.heights.tobytes(), whole.pitch, road.size, road.seed)

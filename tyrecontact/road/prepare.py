@@ -41,20 +41,23 @@ def turned_over(scan: Scan) -> Scan:
 
 def levelled(scan: Scan) -> Scan:
     """The scan less its least-squares plane (a line for a profile) through the valid heights."""
-    axes = [np.arange(n) - (n - 1) / 2 for n in scan.heights.shape]
-    grids = np.meshgrid(*axes, indexing="ij")
-    valid = scan.valid
-    terms = np.column_stack([np.ones(np.count_nonzero(valid)), *(grid[valid] for grid in grids)])
-    solution = np.linalg.lstsq(terms.T @ terms, terms.T @ scan.heights[valid], rcond=None)[0]
-    plane = solution[0] + sum(
-        (slope * grid for slope, grid in zip(solution[1:], grids, strict=True)),
-        np.zeros(scan.heights.shape),
-    )
-    slopes = solution[1:] / scan.pitch
+    rows, columns = np.atleast_2d(scan.heights).shape
+    y, x = (np.arange(n) - (n - 1) / 2 for n in (rows, columns))
+    along_y, along_x = (np.vander(t, 3, increasing=True) for t in (y, x))
+    # sums over rows first: terms for each height would take three times the scan's memory
+    heights = np.atleast_2d(np.where(scan.valid, scan.heights, 0.0))
+    moments = along_y.T @ (np.atleast_2d(scan.valid).astype(float) @ along_x)
+    sums = along_y.T @ (heights @ along_x)
+    powers = ((0, 0), (1, 0), (0, 1))  # 1, y, x
+    normal = [[moments[i + k, j + m] for k, m in powers] for i, j in powers]
+    mean, slope_y, slope_x = np.linalg.lstsq(np.array(normal), [sums[p] for p in powers])[0]
+    plane = (mean + slope_y * y)[:, None] + slope_x * x
+    flat = scan.heights - plane.reshape(scan.heights.shape)
+    slopes = np.array([slope_y, slope_x][-scan.heights.ndim :]) / scan.pitch
     names = ("y", "x")[-len(slopes) :]
     told = " and ".join(f"{slope * 1e3:.3g} mm/m along {name}" for slope, name in zip(
         slopes[::-1], names[::-1], strict=True))  # fmt: skip
-    return scan.changed(scan.heights - plane, f"levelled: {told} taken off")
+    return scan.changed(flat, f"levelled: {told} taken off")
 
 
 def cut(scan: Scan, size: float, centre_x: float, centre_y: float) -> Scan:

@@ -15,7 +15,16 @@ MAX_HEIGHTS = 64_000_000
 
 
 class NotCarriedError(InputError):
-    """Pitch or unit must be given, since the file does not carry it."""
+    """Pitch or unit must be given, since the file does not carry it.
+
+    Attributes
+    ----------
+    missing : all that must be given, of "pitch" and "unit".
+    """
+
+    def __init__(self, message: str, missing: tuple[str, ...]) -> None:
+        super().__init__(message)
+        self.missing = missing
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -13,7 +14,10 @@ from tyrecontact.road.formats import arrays, instruments, points, stl, text, x3p
 from tyrecontact.road.formats.raw import NO_DATA, Asked, Raw
 from tyrecontact.road.scan import UNITS, NotCarriedError, Scan
 
-__all__ = ["ENDINGS", "UNITS", "NotCarriedError", "Scan", "ending", "read", "require_known"]
+__all__ = [
+    "ENDINGS", "UNITS", "Loaded", "NotCarriedError", "Scan", "ending", "load", "read",
+    "require_known",
+]  # fmt: skip
 
 _Reader = Callable[[Path, Asked], Raw]
 _TEXT = (".txt", ".csv", ".dat", ".asc", ".tsv")
@@ -83,17 +87,51 @@ def read(path: str | Path, pitch: float | None = None, unit: str | None = None) 
     NotCarriedError : pitch or unit is missing.
     InputError : a file that is absent, damaged, hostile, too large, or no road.
     """
+    return load(path, pitch, unit).scan(pitch, unit)
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """A file whose numbers were read: what is given about them may change, it is not read again.
+
+    Attributes
+    ----------
+    path : of the file. raw : its numbers and facts. asked : what was given when it was read.
+    """
+
+    path: Path
+    raw: Raw
+    asked: Asked
+
+    def scan(self, pitch: float | None = None, unit: str | None = None) -> Scan:
+        """The scan with what is given now; see `read`."""
+        _require_usable(pitch, unit)
+        _require_given(self.raw, self.path, pitch, unit)
+        raw, asked = self.raw, Asked(pitch, unit)
+        if raw.resampled and asked.step != self.asked.step:  # triangles, on another grid
+            raw = _raw(self.path, asked)
+        return _scan(raw, self.path, pitch, unit)
+
+
+def load(path: str | Path, pitch: float | None = None, unit: str | None = None) -> Loaded:
+    """Read the numbers of a file; the parameters and errors are those of `read`.
+
+    A pitch or unit that is missing is an error here only where no file of the kind carries it.
+    """
     path = Path(path).expanduser()
+    _require_usable(pitch, unit)
+    kind = require_known(path)
+    if kind in _BARE:
+        _require_given(Raw(np.empty(0), kind), path, pitch, unit)
+    asked = Asked(pitch, unit)
+    return Loaded(path, _raw(path, asked), asked)
+
+
+def _require_usable(pitch: float | None, unit: str | None) -> None:
     if pitch is not None and not 0 < pitch < np.inf:
         raise InputError(f"pitch must be positive and finite, got {pitch} m")
     if unit is not None and unit not in UNITS:
         raise unknown_name("unit of heights", unit, UNITS)
-    kind = require_known(path)
-    if kind in _BARE:
-        _require_given(Raw(np.empty(0), kind), path, pitch, unit)
-    raw = _raw(path, Asked(pitch, unit))
-    _require_given(raw, path, pitch, unit)
-    return _scan(raw, path, pitch, unit)
 
 
 def _raw(path: Path, asked: Asked) -> Raw:
@@ -115,12 +153,17 @@ def _raw(path: Path, asked: Asked) -> Raw:
 
 
 def _require_given(raw: Raw, path: Path, pitch: float | None, unit: str | None) -> None:
-    if pitch is None and raw.pitch is None and raw.spacing is None:
+    no_pitch = pitch is None and raw.pitch is None and raw.spacing is None
+    no_unit = unit is None and raw.unit is None
+    if no_pitch:
         raise NotCarriedError(
-            f"pitch must be given: {path.name} does not carry the distance of heights"
+            f"pitch must be given: {path.name} does not carry the distance of heights",
+            ("pitch", "unit") if no_unit else ("pitch",),
         )
-    if unit is None and raw.unit is None:
-        raise NotCarriedError(f"unit must be given as m, mm or um: {path.name} does not carry it")
+    if no_unit:
+        raise NotCarriedError(
+            f"unit must be given as m, mm or um: {path.name} does not carry it", ("unit",)
+        )
 
 
 def _scan(raw: Raw, path: Path, pitch: float | None, unit: str | None) -> Scan:

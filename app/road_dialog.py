@@ -1,0 +1,219 @@
+"""The dialog on a road file: what was understood, what is asked, what part of it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import panel as pn
+import panel_material_ui as pmui
+
+from tyrecontact.errors import InputError
+from tyrecontact.parts.road import Road
+
+from .road_reading import Look, square_that_fits
+from .views.road_facts import table
+from .views.road_preview import RoadPreview
+
+#: settings that are asked as numbers: name -> label
+_NUMBERS = {
+    "pitch": "Distance of heights (pitch)",
+    "size": "Side of the patch",
+    "centre_x": "Patch off the middle, x",
+    "centre_y": "Patch off the middle, y",
+    "trim_start": "Trim off the start",
+    "trim_end": "Trim off the end",
+    "fill_limit": "Largest share to be filled",
+}
+#: settings that are chosen: name -> label, and words for the values
+_CHOICES: dict[str, tuple[str, dict[str, str]]] = {
+    "height_unit": ("Unit of the heights",
+                    {"as in the file": "", "m": "m", "mm": "mm", "µm": "um"}),
+    "height_direction": ("Heights count", {"up": "up", "down (depths)": "down"}),
+    "levelling": ("Levelling", {"take a plane off": "plane", "leave as it is": "none"}),
+    "profile_use": ("Profile becomes", {"ridges, drawn out sideways": "corrugated",
+                                        "a road like it in all directions": "isotropic"}),
+}  # fmt: skip
+_OF_PROFILES, _OF_MAPS = ("trim_start", "trim_end", "profile_use"), ("centre_y",)
+_ASKED = {"pitch": "the distance of its heights (pitch)", "unit": "the unit of its heights"}
+#: settings that the dialog decides on
+SETTINGS = (*_NUMBERS, *_CHOICES)
+
+
+class RoadDialog:
+    """Asks, and shows what comes of the answers.
+
+    Parameters
+    ----------
+    ask : called with the settings when they change: a `show` is to follow.
+    use, cancel : called when the visitor has decided.
+
+    Attributes
+    ----------
+    root : of Panel, to be placed once. fields : name of a setting -> its widget.
+    message, facts, preview, busy : what is shown. use_button, cancel_button.
+    """
+
+    def __init__(
+        self, ask: Callable[[Road], None], use: Callable[[], None], cancel: Callable[[], None]
+    ) -> None:
+        self._ask = ask
+        self._loading = False
+        self._base = Road()
+        self._fresh = True
+        self.fields = {name: _number(name, label) for name, label in _NUMBERS.items()}
+        for name, (label, options) in _CHOICES.items():
+            self.fields[name] = pmui.Select(label=label, options=options, **_SMALL)
+        self.message = pmui.Alert("", severity="info", margin=(4, 10), sizing_mode="stretch_width")
+        self.facts = pn.pane.HTML("", margin=(4, 10), sizing_mode="stretch_width")
+        self.preview = RoadPreview()
+        self.busy = pmui.LinearProgress(
+            variant="indeterminate", margin=(0, 10), sizing_mode="stretch_width"
+        )
+        self.use_button = pmui.Button(label="Use this road", variant="contained", disabled=True)
+        self.cancel_button = pmui.Button(label="Cancel", variant="outlined")
+        self.use_button.on_click(lambda _: use())
+        self.cancel_button.on_click(lambda _: cancel())
+        for field in self.fields.values():
+            field.param.watch(lambda _: self._changed(), "value")
+        self.root = self._layout()
+
+    def open(self, name: str, road: Road, fresh: bool) -> None:
+        """Begin with a file and settings; a `fresh` one is offered the largest patch that fits."""
+        self._base, self._fresh = road, fresh
+        self._fill(road)
+        self.facts.object = ""
+        self.preview.clear()
+        self._arrange(None)
+        self.root.param.update(title=f"Your road: {name}", open=True)
+        self._changed()
+
+    def refuse(self, name: str, sentence: str) -> None:
+        """Say why a file is not even looked at."""
+        self._arrange(None)
+        self.busy.visible = False
+        self.use_button.disabled = True
+        self.message.param.update(severity="error", object=_sentence(sentence))
+        self.root.param.update(title=f"Your road: {name}", open=True)
+
+    def close(self) -> None:
+        """Leave the page to itself again."""
+        self.root.open = False
+
+    def road(self) -> Road:
+        """The settings as they stand; `InputError` where one is out of its bounds."""
+        values: dict[str, Any] = dict(self._base.param.values())
+        del values["name"]
+        for name in _NUMBERS:
+            scale = Road.param[name].metadata["shown_in"][1]
+            values[name] = (self.fields[name].value or 0.0) / scale
+        for name in _CHOICES:
+            values[name] = self.fields[name].value
+        return Road(**values)
+
+    def show(self, look: Look, road: Road) -> None:
+        """What came of the settings."""
+        self.busy.visible = False
+        if look.found is not None and look.view is not None:
+            side = square_that_fits(look, road.size)
+            if self._fresh and side != road.size and side >= Road.param.size.bounds[0]:
+                self._offer(side)
+                return
+            self._fresh = False
+            self.facts.object = table(look.found)
+            self.preview.show(look.view, road)
+        self._arrange(look)
+        self.use_button.disabled = not look.usable
+        severity, text = _verdict(look, road)
+        self.message.param.update(severity=severity, object=text)
+
+    def _offer(self, side: float) -> None:
+        self._fresh = False
+        self.fields["size"].value = side * 1e3
+
+    def _changed(self) -> None:
+        if self._loading:
+            return
+        self.use_button.disabled = True
+        try:
+            road = self.road()
+        except InputError as error:
+            self.busy.visible = False
+            self.message.param.update(severity="error", object=_sentence(str(error)))
+            return
+        self.busy.visible = True
+        if not self.facts.object:
+            self.message.param.update(severity="info", object="Reading the file …")
+        self.preview.mark(road)
+        self._ask(road)
+
+    def _fill(self, road: Road) -> None:
+        self._loading = True
+        for name in _NUMBERS:
+            value = getattr(road, name) * Road.param[name].metadata["shown_in"][1]
+            self.fields[name].value = None if name == "pitch" and not value else value
+        for name in _CHOICES:
+            self.fields[name].value = getattr(road, name)
+        self._loading = False
+
+    def _arrange(self, look: Look | None) -> None:
+        """Show the fields that mean something for the file, and mark those that must be filled."""
+        found = look.found if look is not None else None
+        missing = look.missing if look is not None else ()
+        for name, field in self.fields.items():
+            profile = found is not None and found.profile
+            known = name in ("pitch", "height_unit") or found is not None
+            fits = name not in (_OF_MAPS if profile else _OF_PROFILES)
+            if name == "fill_limit":
+                fits = found is not None and found.missing_share > 0
+            field.visible = known and fits and (found is not None or bool(missing))
+        self.fields["pitch"].error_state = "pitch" in missing
+        self.fields["height_unit"].error_state = "unit" in missing
+        self.preview.root.visible = self.facts.visible = found is not None
+
+    def _layout(self) -> pmui.Dialog:
+        left = pmui.Column(self.facts, sizing_mode="stretch_width")
+        right = pmui.Column(self.preview.root, sizing_mode="stretch_width")
+        fields = [pmui.Grid(field, size={"xs": 6, "md": 3}) for field in self.fields.values()]
+        return pmui.Dialog(
+            self.message, self.busy,
+            pmui.Grid(
+                pmui.Grid(left, size={"xs": 12, "md": 5}),
+                pmui.Grid(right, size={"xs": 12, "md": 7}),
+                container=True, spacing=1, sizing_mode="stretch_width",
+            ),
+            pmui.Grid(*fields, container=True, spacing=0, sizing_mode="stretch_width"),
+            pmui.Row(self.use_button, self.cancel_button),
+            title="Your road", title_variant="h6", width_option="md", scroll="paper",
+            sizing_mode="stretch_width",
+        )  # fmt: skip
+
+
+_SMALL: dict[str, Any] = {"size": "small", "sizing_mode": "stretch_width", "margin": (8, 10)}
+
+
+def _number(name: str, label: str) -> pmui.FloatInput:
+    unit = Road.param[name].metadata["shown_in"][0]
+    hint = "as in the file" if name == "pitch" else "0"
+    return pmui.FloatInput(
+        label=f"{label} [{unit}]", description=Road.param[name].doc, value=None, placeholder=hint,
+        **_SMALL,
+    )  # fmt: skip
+
+
+def _verdict(look: Look, road: Road) -> tuple[str, str]:
+    """How the answer looks, and what it says."""
+    if look.missing:
+        asked = " and ".join(_ASKED[what] for what in look.missing)
+        return "warning", f"The file does not say {asked}. Nothing is guessed: please give it."
+    if look.refusal:
+        return "error", _sentence(look.refusal)
+    assert look.found is not None
+    if look.found.doubts:
+        return "warning", f"Please check: {'; '.join(look.found.doubts)}."
+    side = f"{road.size * 1e3:.4g} mm"
+    return "success", f"This is what was understood. A patch of {side} x {side} will be used."
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:].rstrip('.')}."

@@ -1,0 +1,93 @@
+"""Work for one screen on a thread: of several questions only the last is answered.
+
+It knows no screen. The thread lives while there is something to do; whoever asked is woken, and
+takes the answer when it suits.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from tyrecontact.errors import TyreContactError
+
+#: does the work, told at its leisure whether it is still wanted
+Job = Callable[[Callable[[], bool]], Any]
+
+
+class Latest:
+    """Answers the last question asked.
+
+    Parameters
+    ----------
+    wake : called on the thread when there is an answer to be taken.
+    """
+
+    def __init__(self, wake: Callable[[], None]) -> None:
+        self._wake = wake
+        self._lock = threading.Lock()
+        self._waiting: Job | None = None
+        self._answer: tuple[Any, str] | None = None
+        self._thread: threading.Thread | None = None
+        self._closed = False
+
+    def ask(self, job: Job) -> None:
+        """Have a job done; what was asked before is not wanted any more."""
+        with self._lock:
+            if self._closed:
+                return
+            self._waiting, self._answer = job, None
+            if self._thread is None:
+                self._thread = threading.Thread(
+                    target=self._work, name="tyrecontact-inputs", daemon=True
+                )
+                self._thread.start()
+
+    def take(self) -> tuple[Any, str] | None:
+        """What the job gave and "", or None and why it was refused; None while there is none."""
+        with self._lock:
+            answer, self._answer = self._answer, None
+        return answer
+
+    def close(self) -> None:
+        """Nothing is wanted any more: the thread ends after what it is in the midst of."""
+        with self._lock:
+            self._closed = True
+            self._waiting = self._answer = None
+
+    def join(self, timeout: float | None = None) -> bool:
+        """Wait until there is nothing to do; True if so."""
+        thread = self._thread
+        if thread is not None:
+            thread.join(timeout)
+        return thread is None or not thread.is_alive()
+
+    def _work(self) -> None:
+        while True:
+            with self._lock:
+                job, self._waiting = self._waiting, None
+                if job is None:
+                    self._thread = None
+                    return
+            answer = _answer(job, self._wanted)
+            with self._lock:
+                wanted = self._wanted()
+                if wanted:
+                    self._answer = answer
+            if wanted:
+                self._wake()
+
+    def _wanted(self) -> bool:
+        return self._waiting is None and not self._closed
+
+
+def _answer(job: Job, wanted: Callable[[], bool]) -> tuple[Any, str]:
+    try:
+        return job(wanted), ""
+    except TyreContactError as error:
+        return None, str(error)
+    except MemoryError as error:
+        return None, str(error) or "not enough memory to prepare this"
+    except Exception as error:  # said on the page, where a thread's end would be silence
+        return None, f"an error that should not be, {error!r}"

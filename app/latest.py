@@ -1,4 +1,8 @@
-"""Work off the page's loop: one thread, the latest question wins, answers come in the loop."""
+"""Work for one screen on a thread: of several questions only the last is answered.
+
+It knows no screen. The thread lives while there is something to do; whoever asked is woken, and
+takes the answer when it suits.
+"""
 
 from __future__ import annotations
 
@@ -6,71 +10,84 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-Job = Callable[[], Any]
-Answer = Callable[[Any], None]
+from tyrecontact.errors import TyreContactError
+
+#: does the work, told at its leisure whether it is still wanted
+Job = Callable[[Callable[[], bool]], Any]
 
 
 class Latest:
-    """Asks one question at a time on a thread that lives only as long as there is one.
-
-    A question that is asked while another is worked on waits for it, and replaces any that waits.
-    Only the answer to the latest is given.
+    """Answers the last question asked.
 
     Parameters
     ----------
-    document : of the session, into whose loop answers are brought; None: they are given on the
-        thread, as in tests.
+    wake : called on the thread when there is an answer to be taken.
     """
 
-    def __init__(self, document: Any) -> None:
-        self._document = document
+    def __init__(self, wake: Callable[[], None]) -> None:
+        self._wake = wake
         self._lock = threading.Lock()
-        self._waiting: tuple[int, Job, Answer] | None = None
-        self._number = 0
+        self._waiting: Job | None = None
+        self._answer: tuple[Any, str] | None = None
         self._thread: threading.Thread | None = None
+        self._closed = False
 
-    def ask(self, job: Job, answer: Answer) -> None:
-        """Have `answer(job())` called once the thread is free; `job` handles its own errors."""
+    def ask(self, job: Job) -> None:
+        """Have a job done; what was asked before is not wanted any more."""
         with self._lock:
-            self._number += 1
-            self._waiting = (self._number, job, answer)
+            if self._closed:
+                return
+            self._waiting, self._answer = job, None
             if self._thread is None:
-                self._thread = threading.Thread(target=self._work, name="road-file", daemon=True)
+                self._thread = threading.Thread(
+                    target=self._work, name="tyrecontact-inputs", daemon=True
+                )
                 self._thread.start()
 
-    def drop(self) -> None:
-        """Give no answer to what was asked so far."""
+    def take(self) -> tuple[Any, str] | None:
+        """What the job gave and "", or None and why it was refused; None while there is none."""
         with self._lock:
-            self._number += 1
-            self._waiting = None
+            answer, self._answer = self._answer, None
+        return answer
 
-    def join(self, timeout: float) -> bool:
-        """Wait until the thread has nothing to do [s]; whether it has."""
+    def close(self) -> None:
+        """Nothing is wanted any more: the thread ends after what it is in the midst of."""
+        with self._lock:
+            self._closed = True
+            self._waiting = self._answer = None
+
+    def join(self, timeout: float | None = None) -> bool:
+        """Wait until there is nothing to do; True if so."""
         thread = self._thread
         if thread is not None:
             thread.join(timeout)
-        return self._thread is None
-
-    def _next(self) -> tuple[int, Job, Answer] | None:
-        with self._lock:
-            task, self._waiting = self._waiting, None
-            if task is None:
-                self._thread = None
-            return task
+        return thread is None or not thread.is_alive()
 
     def _work(self) -> None:
-        while (task := self._next()) is not None:
-            number, job, answer = task
-            self._give(number, answer, job())
+        while True:
+            with self._lock:
+                job, self._waiting = self._waiting, None
+                if job is None:
+                    self._thread = None
+                    return
+            answer = _answer(job, self._wanted)
+            with self._lock:
+                wanted = self._wanted()
+                if wanted:
+                    self._answer = answer
+            if wanted:
+                self._wake()
 
-    def _give(self, number: int, answer: Answer, found: Any) -> None:
-        def give() -> None:
-            if number == self._number:
-                answer(found)
+    def _wanted(self) -> bool:
+        return self._waiting is None and not self._closed
 
-        if number != self._number:  # nobody waits for it, perhaps there is no document any more
-            return
-        if self._document is None:
-            give()
-        else:
-            self._document.add_next_tick_callback(give)
+
+def _answer(job: Job, wanted: Callable[[], bool]) -> tuple[Any, str]:
+    try:
+        return job(wanted), ""
+    except TyreContactError as error:
+        return None, str(error)
+    except MemoryError as error:
+        return None, str(error) or "not enough memory to prepare this"
+    except Exception as error:  # said on the page, where a thread's end would be silence
+        return None, f"an error that should not be, {error!r}"

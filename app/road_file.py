@@ -14,7 +14,7 @@ import panel_material_ui as pmui
 
 from tyrecontact.parts.road import Road
 
-from .latest import Latest
+from .errand import Latest
 from .road_dialog import SETTINGS, RoadDialog
 from .road_reading import Look, Reading
 from .road_upload import Upload

@@ -32,19 +32,29 @@ def exchange_stiffest(
 
     Source: thesis, chapter 4.2.2 (80 springs, ranked at 9 um).
     """
+    index = exchange_index(springs, count, compression, ranking)
+    return springs.take(index) if count else springs
+
+
+def exchange_index(
+    springs: Springs, count: int, compression: float, ranking: str = "force"
+) -> np.ndarray:
+    """Which spring each element has after `exchange_stiffest`, its own but for the exchanged.
+
+    Returns numbers of elements, shape (elements,); parameters and errors as there.
+    """
     if not 0 <= 2 * count <= springs.count:
         half = springs.count // 2
         raise InputError(f"exchange_count must lie between 0 and {half}, got {count}")
     if ranking not in RANKINGS:
         raise unknown_name("ranking of springs", ranking, RANKINGS)
-    if count == 0:
-        return springs
-    at = np.full(springs.count, compression)
-    value = springs.force(at) if ranking == "force" else springs.stiffness(at)
-    order = np.argsort(-value, kind="stable")
     index = np.arange(springs.count)
-    index[order[:count]] = order[count : 2 * count]
-    return springs.take(index)
+    if count:
+        at = np.full(springs.count, compression)
+        value = springs.force(at) if ranking == "force" else springs.stiffness(at)
+        order = np.argsort(-value, kind="stable")
+        index[order[:count]] = order[count : 2 * count]
+    return index
 
 
 def mean(springs: Springs) -> Springs:

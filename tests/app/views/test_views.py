@@ -6,13 +6,10 @@ import numpy as np
 import pytest
 
 from app.runner import Run
-from app.views.contact_map import ContactMapView
 from app.views.force import ForceView
 from app.views.headline import HeadlineView, describe, three_digits
 from app.views.iterations import IterationsView
 from app.views.style import horizontal
-from tyrecontact import Scenario
-from tyrecontact.contact.bonds import ElementState
 
 
 def test_force_draws_every_row_once_and_the_baseline(finished: Run) -> None:
@@ -62,45 +59,6 @@ def test_both_plots_change_axis_with_label_and_range(finished: Run) -> None:
             assert view.root.xaxis[0].axis_label == label
             assert {glyph.glyph.x for glyph in view._glyphs} == {axis.column}
             assert view.root.x_range.end == pytest.approx(axis.span[1])
-
-
-def test_the_map_shows_pressed_elements_as_colour_and_bonds_in_tension_as_marks(
-    finished: Run,
-) -> None:
-    view, record = ContactMapView(), finished.record
-    spacing = finished.simulation.kernel.spacing
-    view.reset(6e-3, 6, 2.5)
-    state, force = record.columns["state"][-1], record.columns["element_force"][-1]
-    state[2, 4], force[2, 4] = ElementState.TENSION, -0.25
-    view.show(record, record.count - 1, spacing)
-    image = view.image.data["force"][0]
-    pressed = state == ElementState.COMPRESSED
-    np.testing.assert_array_equal(np.isfinite(image), pressed)
-    np.testing.assert_array_equal(image[pressed], force[pressed])
-    assert view.image.data["side"] == [pytest.approx(6.0)]
-    # row is y, column is x
-    np.testing.assert_allclose(view.tension.data["x"], [4.5])
-    np.testing.assert_allclose(view.tension.data["y"], [2.5])
-    np.testing.assert_allclose(view.tension.data["force"], [0.25])
-    assert view.mapper.high == pytest.approx(1.2 * 2.5)
-
-
-def test_the_map_shows_the_nearest_step_whose_fields_are_kept(small: Scenario) -> None:
-    small.numerics.field_memory = 10 * 36 * 33.0  # of 52 steps
-    run = Run(small)
-    run.start()
-    assert run.join(60)
-    view, record = ContactMapView(), run.record
-    view.reset(6e-3, 6, 2.5)
-    whole = {step.index: step.element_force for step in run.simulation}
-    assert record.field_stride == 8
-    for step, shown in ((51, 51), (50, 51), (42, 40), (31, 32), (16, 16)):
-        view.show(record, step, run.simulation.kernel.spacing)
-        image = view.image.data["force"][0]
-        pressed = whole[shown] > 0
-        assert pressed.any()
-        np.testing.assert_array_equal(image[pressed], whole[shown][pressed])
-        assert np.isnan(image[~pressed]).all()
 
 
 def test_the_headline_gives_figures_with_units_and_a_sentence(finished: Run) -> None:

@@ -14,7 +14,7 @@ from tyrecontact.errors import unknown_name
 from tyrecontact.results import Record
 
 from .headline import three_digits
-from .map_figure import NO_FRAME, NO_IMAGE, NO_MARKS, MapFigure
+from .map_figure import NO_FRAME, NO_MARKS, MapFigure, no_image
 from .map_modes import MODES, STATE_COLORS, STATES, Fields
 from .map_scale import Scale
 from .style import DESK, Size
@@ -53,15 +53,15 @@ class ContactMapView:
         self._on_show: tuple[Record, int] | None = None
         self._drawn: tuple[Any, ...] = ()
         self._scales: dict[str, Scale] = {}
-        self.drawing.image.data = NO_IMAGE
+        self.drawing.image.data = no_image(self._elements * self._spacing * 1e3)
         self.drawing.marks.data = NO_MARKS
         self._rescale()
         self.root.title.text = MODES[self.mode].title
 
     def reset(self, side: float, elements: int, peak_force: float | None) -> None:
         """An empty map of a patch of a side [m], whose forces are expected up to a peak [N]."""
-        self.clear()
         self._elements, self._spacing = elements, side / elements
+        self.clear()
         self.drawing.mark_for(elements)
         self._frame()
         if peak_force is not None:
@@ -134,7 +134,7 @@ class ContactMapView:
     def _entitle(self, record: Record, number: int, values: np.ndarray) -> None:
         time = three_digits(float(record.columns["time"][number]) * 1e3)
         beyond = np.count_nonzero(values > self.scale.high) if self.scale.fixed else 0
-        more = f", {beyond} beyond the scale" if beyond else ""
+        more = f", {beyond} beyond scale" if beyond else ""
         self.root.title.text = f"{MODES[self.mode].title}, step {number}, {time} ms{more}"
 
     def _fit(self, values: np.ndarray, room: float = 1.5) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from bokeh.models import (
     ColorBar,
     ColumnDataSource,
@@ -23,9 +24,6 @@ from .style import Size
 APART = "#8A8F9866"
 #: of no map in use, so that it says "beyond the scale"
 BEYOND = "#D81B7A"
-NO_IMAGE: dict[str, list[Any]] = {
-    "shown": [], "value": [], "state": [], "side": [], "corner": []
-}  # fmt: skip
 NO_MARKS: dict[str, list[Any]] = {"x": [], "y": [], "marker": []}
 NO_FRAME: dict[str, list[Any]] = {"x": [], "y": [], "side": []}
 
@@ -34,19 +32,27 @@ _VALUE = "return Number.isFinite(value) ? `${Number(value.toPrecision(3))} ${uni
 _STATE = "return names[value]"
 
 
+def no_image(side: float) -> dict[str, list[Any]]:
+    """A patch of a side [mm] on which nothing touches."""
+    return {
+        "shown": [np.full((1, 1), np.nan, np.float32)], "value": [np.full((1, 1), np.nan)],
+        "state": [np.zeros((1, 1), np.int8)], "side": [side], "corner": [0.0],
+    }  # fmt: skip
+
+
 class MapFigure:
     """Attributes: `root` a Bokeh figure; `image`, `marks`, `frame` its sources; `mapper`, `bar`
     its colours; `unit` of the value at the pointer."""
 
     def __init__(self) -> None:
-        self.image = ColumnDataSource(NO_IMAGE, name="map")
+        self.image = ColumnDataSource(no_image(20.0), name="map")
         self.marks = ColumnDataSource(NO_MARKS, name="tension")
         self.frame = ColumnDataSource(NO_FRAME, name="followed")
         self.mapper = LinearColorMapper(
             Scale().palette, low=0, high=1, nan_color=APART, high_color=BEYOND
         )
         # ranges that follow what is drawn keep the cells square at any width
-        ranges = [DataRange1d(range_padding=0, start=0, end=20) for _ in range(2)]
+        ranges = [DataRange1d(range_padding=0) for _ in range(2)]
         self.root = figure(
             x_axis_label="x [mm]", y_axis_label="y [mm]", x_range=ranges[0], y_range=ranges[1],
             match_aspect=True, sizing_mode="scale_width", tools="save", toolbar_location="above",
@@ -81,11 +87,11 @@ class MapFigure:
         self._marks.glyph.size = max(3.0, 120 / elements)
 
     def enlarge(self, size: Size) -> None:
-        """Set the type, and the shape that leaves a square for the map at 440 px."""
+        """Set the type, and a shape of which the map takes all at 440 px."""
         size.apply(self.root)
         self.bar.major_label_text_font_size = f"{size.tick}px"
-        wide = 30 + size.label + 1.4 * size.tick
-        high = 46 + 1.3 * size.title + 1.2 * size.label + 2 * size.tick
+        wide = 32 + 1.2 * size.label + 1.2 * size.tick
+        high = 52 + 1.2 * (size.title + size.label + 2 * size.tick)
         self.root.aspect_ratio = 440 / (440 - wide + high)
 
     def _draw(self) -> None:
@@ -127,4 +133,3 @@ class MapFigure:
         self.root.toolbar.autohide = True
         self.root.grid.visible = False
         self.root.axis.axis_label_text_font_style = "normal"
-        self.root.axis.axis_label_standoff = 0

@@ -48,17 +48,17 @@ def _of_touching(name: str, factor: float) -> Callable[[Fields, float], np.ndarr
 
 MODES: Mapping[str, Mode] = MappingProxyType(
     {
-        "force": Mode("Force on each element [N]", "N", _of_touching("element_force", 1.0), True),
+        "force": Mode("Force [N]", "N", _of_touching("element_force", 1.0), True),
         "compression": Mode(
-            "Compression of the springs [µm]", "µm", _of_touching("compression", 1e6), True
+            "Compression [µm]", "µm", _of_touching("compression", 1e6), True
         ),
         "displacement": Mode(
-            "Displacement of the tread [µm]", "µm", lambda f, _: f["displacement"] * 1e6
+            "Displacement [µm]", "µm", lambda f, _: f["displacement"] * 1e6
         ),
-        "state": Mode("State of each element", "", lambda f, _: f["state"].astype(float), True),
+        "state": Mode("State", "", lambda f, _: f["state"].astype(float), True),
         "age": Mode("Time in contact [ms]", "ms", _of_touching("age", 1e3)),
         "contact area": Mode(
-            "Contact area [% of the element]", "%",
+            "Contact area [%]", "%",
             lambda f, area: np.where(touching(f), f["contact_area"] * (100 / area), np.nan),
         ),
     }

@@ -83,7 +83,7 @@ def test_the_limits_of_a_run_hold_and_what_is_beyond_is_counted(
     finished.record.columns["element_force"][-1, 1, 1] = 50.0
     show_last(view, finished)
     assert view.scale.high == 3.0
-    assert "1 beyond the scale" in view.root.title.text
+    assert "1 beyond scale" in view.root.title.text
     assert drawn(view, "shown")[1, 1] > view.drawing.mapper.high
 
 

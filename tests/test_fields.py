@@ -198,6 +198,24 @@ def test_the_fields_of_a_step_are_those_of_the_nearest_kept() -> None:
     assert nearest(np.array([0, 4, 5]), 2, 6) == (0, 0)
 
 
+def test_the_history_of_an_element_goes_to_the_last_step() -> None:
+    for steps, kept in ((30, [0, 4, 8, 12, 16, 20, 24, 28, 29]), (29, list(range(0, 29, 4)))):
+        for record in (recorded(steps, 8), recorded(steps, 8, of=100)):
+            numbers, force = record.history("element_force", 3, 1)
+            np.testing.assert_array_equal(numbers, kept)
+            np.testing.assert_array_equal(force, kept)
+    numbers, age = Record(3, SHAPE).history("age", 0, 0)
+    assert (numbers.size, age.size) == (0, 0)
+
+
+def test_all_maps_kept_are_handed_out_without_a_copy() -> None:
+    record = recorded(29, 8, of=100)
+    maps = record.maps()
+    np.testing.assert_array_equal(maps["element_force"][:, 2, 2], np.arange(0, 29, 4))
+    assert np.shares_memory(maps["age"], record.maps()["age"])
+    assert all(len(kept) == 0 for kept in Record(3, SHAPE).maps().values())
+
+
 def test_numbers_and_key_figures_do_not_know_that_fields_were_thinned(
     thin: Results, quick_cycle: Scenario
 ) -> None:

@@ -122,6 +122,14 @@ class Moment:
             return views
         return {n: np.concatenate([v, getattr(self.last, n)[None]]) for n, v in views.items()}
 
+    def history(self, name: str, row: int, column: int) -> tuple[np.ndarray, np.ndarray]:
+        """Of one element: numbers of `steps`, and its values there; shape (rows,) each."""
+        rows = len(self.table.steps(self.count))
+        values = self.table.columns[name][:rows, row, column]
+        if not self.ends_on_row:
+            values = np.append(values, getattr(self.last, name)[row, column])
+        return self.steps(), values
+
     def near(self, step: int) -> tuple[int, dict[str, np.ndarray]]:
         """Fields of a step, or of the nearest whose fields are kept: its number; name -> map."""
         row, number = nearest(self.steps(), step, self.count)

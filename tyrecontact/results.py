@@ -82,6 +82,18 @@ class Record:
         """
         return self._now.near(step)
 
+    def history(self, name: str, row: int, column: int) -> tuple[np.ndarray, np.ndarray]:
+        """One element through the run: numbers of the steps whose fields are kept, the last one
+        included, and the values of a field there; shape (rows,) each.
+        """
+        return self._now.history(name, row, column)
+
+    def maps(self) -> dict[str, np.ndarray]:
+        """Name -> all maps kept, shape (rows, ny, nx), not copied; the last may be missing."""
+        now = self._now
+        rows = len(now.table.steps(now.count))
+        return {name: column[:rows] for name, column in now.table.columns.items()}
+
     def results(self, scenario: Scenario, spacing: float, stop_reason: str = "") -> Results:
         """What was recorded so far; later rows do not reach it."""
         now = self._now  # once: a thread may be replacing it

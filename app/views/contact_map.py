@@ -1,84 +1,184 @@
-"""Where road and tread touch now: force on each element, bonds in tension marked apart."""
+"""Where road and tread touch: one quantity of all elements as a map, live or at a step on show."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
-from bokeh.models import ColorBar, ColumnDataSource, LinearColorMapper
-from bokeh.palettes import Cividis256
-from bokeh.plotting import figure
+from bokeh.events import Tap
 
 from tyrecontact.contact.bonds import ElementState
+from tyrecontact.errors import unknown_name
 from tyrecontact.results import Record
 
-from .style import ORANGE, VERMILION, hover
+from .headline import three_digits
+from .map_figure import NO_FRAME, NO_MARKS, MapFigure, no_image
+from .map_modes import MODES, STATE_COLORS, STATES, Fields
+from .map_scale import Scale
+from .style import DESK, Size
 
-#: no force: grey on white and on black, unlike the darkest blue
-_APART = "#9AA0A859"
+_MARKERS = {ElementState.TENSION: "inverted_triangle", ElementState.RELEASED: "circle_x"}
 
 
 class ContactMapView:
-    """Attributes: `root` a Bokeh figure; `image`, `tension` what it draws; `mapper` its scale."""
+    """A square map, row 0 at the bottom, with its scale below.
+
+    Attributes
+    ----------
+    root : a Bokeh figure; `drawing` its parts.
+    on_tap : is called with row and column of an element that was tapped or clicked.
+    mode : name of what is shown, of `MODES`.
+    scale : of that mode; the limits of a run only grow.
+    """
 
     def __init__(self) -> None:
-        self.image = ColumnDataSource({"force": [], "side": []}, name="map")
-        self.tension = ColumnDataSource({"x": [], "y": [], "force": []}, name="tension")
-        self.mapper = LinearColorMapper(
-            Cividis256, low=0, high=1, nan_color=_APART, high_color=VERMILION
-        )
-        self.root = figure(
-            title="Contact map  (▼ bonded, in tension)",
-            x_axis_label="x [mm]", y_axis_label="y [mm]",
-            aspect_ratio=0.84, sizing_mode="scale_width", x_range=(0, 20), y_range=(0, 20),
-            tools="save", toolbar_location="above", output_backend="canvas", min_border_right=16,
-        )  # fmt: skip
-        self._style()
-        self._cells = self.root.image(
-            "force", source=self.image, x=0, y=0, dw="side", dh="side", color_mapper=self.mapper
-        )
-        self._marks = self.root.scatter(
-            "x", "y", source=self.tension, marker="inverted_triangle", size=9,
-            fill_color=ORANGE, line_color=VERMILION,
-        )  # fmt: skip
-        tips = [("tension", "@force{0.000} N")]
-        hover(self.root, self._marks, tips, "mouse")
-        hover(self.root, self._cells, [("force", "@force{0.000} N")], "mouse")
-        bar = ColorBar(color_mapper=self.mapper,
-                       title="Force on an element [N]; red: beyond the scale", width="auto",
-                       height=12, title_text_font_style="normal",
-                       background_fill_alpha=0)  # fmt: skip
-        self.root.add_layout(bar, "below")
+        self.on_tap: Callable[[int, int], None] = lambda _row, _column: None
+        self.mode = "force"
+        self.drawing = MapFigure()
+        self.root = self.drawing.root
+        self._elements, self._spacing = 20, 1e-3
+        self._followed: tuple[int, int] | None = None
+        self.clear()
+        self.enlarge(DESK)
+        self.root.on_event(Tap, self._tapped)
 
-    def _style(self) -> None:
-        self.root.toolbar.logo = None
-        self.root.toolbar.autohide = True
-        self.root.grid.visible = False
-        self.root.title.text_font_size = "14px"
-        self.root.xaxis.axis_label_text_font_style = "normal"
-        self.root.yaxis.axis_label_text_font_style = "normal"
+    @property
+    def scale(self) -> Scale:
+        return self._scales.get(self.mode, Scale())
 
     def clear(self) -> None:
         """An empty map."""
-        self.image.data = {"force": [], "side": []}
-        self.tension.data = {"x": [], "y": [], "force": []}
+        self._on_show: tuple[Record, int] | None = None
+        self._drawn: tuple[Any, ...] = ()
+        self._scales: dict[str, Scale] = {}
+        self.drawing.image.data = no_image(self._elements * self._spacing * 1e3)
+        self.drawing.marks.data = NO_MARKS
+        self._rescale()
+        self.root.title.text = MODES[self.mode].title
 
-    def reset(self, side: float, elements: int, peak_force: float) -> None:
-        """An empty map of a patch of a side [m], with colours to a little above a force [N]."""
+    def reset(self, side: float, elements: int, peak_force: float | None) -> None:
+        """An empty map of a patch of a side [m], whose forces are expected up to a peak [N]."""
+        self._elements, self._spacing = elements, side / elements
         self.clear()
-        self.root.x_range.end = self.root.y_range.end = side * 1e3
-        self.mapper.high = 1.2 * peak_force or 1.0
-        self._marks.glyph.size = max(3.0, 180 / elements)
+        self.drawing.mark_for(elements)
+        self._frame()
+        if peak_force is not None:
+            self.expect(peak_force)
+
+    def expect(self, peak_force: float) -> None:
+        """Fix the scale of the forces a little above a force [N], which may come late."""
+        grown = self._scales.get("force", Scale()).holding(0.0, 1.05 * peak_force, room=1.0)
+        self._scales["force"] = Scale(grown.low, grown.high, fixed=peak_force > 0)
+        self._rescale()
+        self._draw()
+
+    def show_mode(self, name: str) -> None:
+        """Show another quantity, of `MODES`. InputError : there is none of that name."""
+        if name not in MODES:
+            raise unknown_name("mode of the contact map", name, MODES)
+        self.mode = name
+        if self._on_show is not None:
+            # all of the run so far, so that the limits stay when it is replayed
+            self._fit(MODES[name].values(self._on_show[0].maps(), self._spacing**2), room=1.0)
+        self._rescale()
+        if self._on_show is None:
+            self.root.title.text = MODES[name].title
+        self._draw()
 
     def show(self, record: Record, step: int, spacing: float) -> None:
         """Show a step of the record, or the nearest whose fields are kept; elements of side
         `spacing` [m].
         """
-        _, fields = record.fields(step)
-        force, state = fields["element_force"], fields["state"]
-        pressed = np.where(state == ElementState.COMPRESSED, force, np.nan)
-        self.image.data = {"force": [pressed], "side": [len(force) * spacing * 1e3]}
-        row_index, column_index = np.nonzero(state == ElementState.TENSION)
-        self.tension.data = {
-            "x": (column_index + 0.5) * spacing * 1e3,
-            "y": (row_index + 0.5) * spacing * 1e3,
-            "force": -force[row_index, column_index],
+        self._on_show, self._spacing = (record, step), spacing
+        self._draw()
+
+    def follow(self, row: int, column: int) -> None:
+        """Draw a frame around an element."""
+        self._followed = row, column
+        self._frame()
+
+    def forget(self) -> None:
+        """Take the frame away."""
+        self._followed = None
+        self._frame()
+
+    def enlarge(self, size: Size) -> None:
+        """Set the type; the map stays square."""
+        self.drawing.enlarge(size)
+
+    def _draw(self) -> None:
+        """One update of the image; nothing where it would be the same."""
+        if self._on_show is None:
+            return
+        record, step = self._on_show
+        number, fields = record.fields(step)
+        if self._drawn == (record, number, self.mode, self.scale):
+            return
+        mode = MODES[self.mode]
+        values = mode.values(fields, self._spacing**2)
+        self._fit(values)
+        categorical = self.mode == "state"
+        self.drawing.image.data = {
+            "shown": [values.astype(np.float32) if categorical else self.scale.place(values)],
+            "value": [np.full_like(values, np.nan) if categorical else values.astype(np.float32)],
+            "state": [fields["state"]],
+            "side": [len(values) * self._spacing * 1e3],
+            "corner": [0.0],
         }
+        self._mark(fields if mode.marks else None)
+        self._entitle(record, number, values)
+        self._drawn = (record, number, self.mode, self.scale)
+
+    def _entitle(self, record: Record, number: int, values: np.ndarray) -> None:
+        time = three_digits(float(record.columns["time"][number]) * 1e3)
+        beyond = np.count_nonzero(values > self.scale.high) if self.scale.fixed else 0
+        more = f", {beyond} beyond scale" if beyond else ""
+        self.root.title.text = f"{MODES[self.mode].title}, step {number}, {time} ms{more}"
+
+    def _fit(self, values: np.ndarray, room: float = 1.5) -> None:
+        """Limits that hold these values, too."""
+        known = values[np.isfinite(values)]
+        grown = self.scale.holding(known.min(initial=0.0), known.max(initial=0.0), room)
+        if self.mode != "state" and grown != self.scale:
+            self._scales[self.mode] = grown
+            self._rescale()
+
+    def _rescale(self) -> None:
+        """Colours and their bar, after a change of mode or limits."""
+        if self.mode == "state":
+            self.drawing.colour(STATE_COLORS, -0.5, len(STATES) - 0.5)
+            self.drawing.label(dict(enumerate(STATES)))
+        else:
+            self.drawing.colour(self.scale.palette, -1.0 if self.scale.low else 0.0, 1.0)
+            self.drawing.label(self.scale.ticks)
+        self.drawing.unit = MODES[self.mode].unit
+
+    def _mark(self, fields: Fields | None) -> None:
+        """Elements in tension and released ones carry a mark: colour alone says too little."""
+        marked: dict[str, list[Any]] = {name: [] for name in NO_MARKS}
+        for state, marker in _MARKERS.items() if fields is not None else ():
+            rows, columns = np.nonzero(fields["state"] == state)
+            marked["x"] += ((columns + 0.5) * self._spacing * 1e3).tolist()
+            marked["y"] += ((rows + 0.5) * self._spacing * 1e3).tolist()
+            marked["marker"] += [marker] * rows.size
+        if marked != self.drawing.marks.data:
+            self.drawing.marks.data = marked
+
+    def _frame(self) -> None:
+        if self._followed is None or max(self._followed) >= self._elements:
+            self.drawing.frame.data = NO_FRAME
+            return
+        row, column = self._followed
+        side = self._spacing * 1e3
+        self.drawing.frame.data = {
+            "x": [(column + 0.5) * side], "y": [(row + 0.5) * side], "side": [side]
+        }  # fmt: skip
+
+    def _tapped(self, event: Tap) -> None:
+        if self._on_show is None or event.x is None or event.y is None:
+            return
+        row, column = (math.floor(place * 1e-3 / self._spacing) for place in (event.y, event.x))
+        if 0 <= row < self._elements and 0 <= column < self._elements:
+            self.on_tap(row, column)

@@ -11,6 +11,7 @@ from tyrecontact.contact.adhesion import (
     Hysteresis,
     Multiplicative,
     ReleaseForce,
+    constant_limit,
     table_limits,
 )
 from tyrecontact.contact.bonds import Bonds, Outcome
@@ -161,3 +162,11 @@ def test_an_entry_of_the_table_without_force_bonds_nothing(rough_springs: Spring
     outcome = Outcome(PRESSED, rough_springs.force(PRESSED), 1e-5)
     after = ReleaseForce(limits).after(rough_springs, bonds_where(FREE), outcome)
     assert not after.bonded.any()
+
+
+def test_a_bond_that_nothing_changes_has_a_constant_limit() -> None:
+    assert constant_limit(ReleaseForce(0.3), 7) == 0.3
+    assert constant_limit(ReleaseForce(np.array([0.1, 0.2])), 1) == 0.2
+    assert constant_limit(Hysteresis(0.4), 0) == 0.4
+    growing = Multiplicative(0.3, 1.0, 1e-7, 0.1, 1e-3, np.inf, 1.0)
+    assert constant_limit(growing, 0) is None

@@ -65,6 +65,14 @@ class ReleaseForce:
         return bool(np.any(np.asarray(self.release_force) > 0))
 
 
+def constant_limit(law: Law, element: int) -> float | None:
+    """Tension that the bond of an element bears [N], where area, age and rate do not change it."""
+    if not isinstance(law, ReleaseForce | Hysteresis):
+        return None
+    limits = np.atleast_1d(law.release_force)
+    return float(limits[element % limits.size])
+
+
 def table_limits(springs: Springs, release_force: float, step: float) -> np.ndarray:
     """Tension that each bond of the thesis really bears [N], shape (elements,).
 

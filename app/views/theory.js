@@ -14,10 +14,9 @@ export function render({ model, el }) {
     if (!link) return;
     event.preventDefault();
     const goal = page.querySelector(`[id="${link.getAttribute("href").slice(1)}"]`);
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     goal.tabIndex = -1;
     goal.focus({ preventScroll: true });
-    goal.scrollIntoView({ behavior: still ? "auto" : "smooth", block: "start" });
+    goal.scrollIntoView({ block: "start" });
   });
   model.on("text", fill);
   model.on("type_size", size);

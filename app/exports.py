@@ -16,11 +16,15 @@ from tyrecontact.steps import SCALARS
 from . import code
 
 
+def stem(preset: str) -> str:
+    """Beginning of the name of a file: tyrecontact-fig-44-14-N."""
+    return "tyrecontact-" + re.sub(r"[^A-Za-z0-9]+", "-", preset).strip("-")
+
+
 def file_name(preset: str, ending: str, when: datetime | None = None) -> str:
     """A name that says what and when (UTC): tyrecontact-fig-44-14-N-20250601-143005.nc."""
     moment = (when or datetime.now(UTC)).astimezone(UTC)
-    words = re.sub(r"[^A-Za-z0-9]+", "-", preset).strip("-")
-    return f"tyrecontact-{words}-{moment:%Y%m%d-%H%M%S}.{ending}"
+    return f"{stem(preset)}-{moment:%Y%m%d-%H%M%S}.{ending}"
 
 
 def netcdf(results: Results, names: Mapping[str, str] | None = None) -> bytes:

@@ -18,6 +18,8 @@ Columns = Mapping[str, np.ndarray]
 
 #: share of the drive's way within which releases are one event
 EVENT_SHARE = 0.01
+#: share of the work exchanged with the tread that rounding may make of it
+ROUNDING = 1e-6
 #: terms of the energy account: where the work of the drive goes
 ACCOUNT = (
     "spring_energy", "machine_energy", "layer_work", "released_energy", "algorithmic_loss",
@@ -92,3 +94,20 @@ def energy_account(columns: Columns) -> dict[str, float]:
         return dict.fromkeys(("drive_work", *ACCOUNT, "imbalance"), 0.0)
     account = {name: float(columns[name][-1]) for name in ("drive_work", *ACCOUNT)}
     return {**account, "imbalance": account["drive_work"] - sum(account[n] for n in ACCOUNT)}
+
+
+def imbalance(columns: Columns) -> np.ndarray:
+    """Work of the drive less where it has gone [J], shape (steps,): rounding."""
+    missing: np.ndarray = columns["drive_work"] - sum(columns[name] for name in ACCOUNT)
+    return missing
+
+
+def energy_created(columns: Columns) -> int | None:
+    """The first step at whose end the tread has given back more than it got; None for none.
+
+    No real one can: the time stepping has made energy.
+    """
+    layer = columns["layer_work"]
+    turnover = np.abs(np.diff(layer, prepend=0.0)).cumsum()
+    below = np.flatnonzero(layer < -ROUNDING * turnover)
+    return int(below[0]) if below.size else None

@@ -8,6 +8,7 @@ import holoviews as hv
 import holoviews.plotting.bokeh  # registers the backend
 import panel as pn
 from bokeh.models import Line, Step
+from holoviews.streams import Pipe
 
 from .style import DESK, Size
 
@@ -34,16 +35,46 @@ def pane(element: Any, size: Size = DESK, height: int = HEIGHT) -> pn.pane.HoloV
     )
 
 
+class Redrawn:
+    """A plot whose data change in place, at a quarter of the cost of a new one.
+
+    Attributes
+    ----------
+    root : the pane.
+    """
+
+    def __init__(self, element: Any, size: Size = DESK, height: int = HEIGHT) -> None:
+        self._layers = _layers(element)
+        self._pipe = Pipe(data=element)
+        self.root = pane(hv.DynamicMap(lambda data: data, streams=[self._pipe]), size, height)
+
+    def takes(self, element: Any) -> bool:
+        """Whether an element has the same layers as the one shown."""
+        return _layers(element) == self._layers
+
+    def send(self, element: Any) -> None:
+        """Show an element with the same layers, other data and other ranges."""
+        self._pipe.send(element)
+
+
+def _layers(element: Any) -> list[tuple[type, str]]:
+    parts = element if isinstance(element, hv.Overlay) else [element]
+    return [(type(part), part.label) for part in parts]
+
+
 def _house(size: Size) -> Any:
     def finish(plot: Any, _element: Any) -> None:
         fig = plot.state
         fig.toolbar.logo, fig.toolbar.autohide = None, True
         fig.update(min_border_left=64, min_border_right=16, output_backend="canvas")
         fig.axis.axis_label_text_font_style = "normal"
+        for legend in fig.legend:
+            legend.update(border_line_alpha=0, background_fill_alpha=0, padding=0, margin=2)
         size.apply(fig)
         for drawn in fig.renderers:
             glyph = drawn.glyph
-            if isinstance(glyph, Line | Step):
-                glyph.line_width = glyph.line_width * size.line
+            # drawn again it is finished again, but its lines are as wide as it takes already
+            if isinstance(glyph, Line | Step) and "sized" not in glyph.tags:
+                glyph.update(line_width=glyph.line_width * size.line, tags=["sized"])
 
     return finish

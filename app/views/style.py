@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from bokeh.models import HoverTool, Range1d, Span
+from bokeh.models import CustomJS, HoverTool, Range1d, Span
 from bokeh.plotting import figure
 
 #: Okabe and Ito's palette
@@ -26,12 +26,30 @@ class Size:
     line: float = 1.0
 
     def apply(self, fig: figure) -> None:
-        """Set the type of a figure."""
-        fig.title.text_font_size = f"{self.title}px"
-        fig.axis.axis_label_text_font_size = f"{self.label}px"
-        fig.axis.major_label_text_font_size = f"{self.tick}px"
+        """Set the type of a figure, and of its legends."""
+        keep(fig.title, text_font_size=f"{self.title}px")
+        for axis in fig.axis:
+            keep(
+                axis,
+                axis_label_text_font_size=f"{self.label}px",
+                major_label_text_font_size=f"{self.tick}px",
+            )
         for legend in fig.legend:
-            legend.label_text_font_size = f"{self.label}px"
+            # as wide as shows a dash
+            keep(legend, label_text_font_size=f"{self.label}px", glyph_width=2 * self.label)
+
+
+#: the page's theme sets not only colours but sizes, in the browser: they are set back
+_SET_BACK = "cb_obj.setv(cb_obj.tags[0])"
+
+
+def keep(model: Any, **values: Any) -> None:
+    """Set properties of a model of Bokeh so that they stay, whatever the page's theme says."""
+    model.update(tags=[values], **values)
+    for name in values:
+        # once, however often it is set
+        if not model.js_property_callbacks.get(f"change:{name}"):
+            model.js_on_change(name, CustomJS(code=_SET_BACK))
 
 
 DESK, HALL = Size(14, 13, 12), Size(24, 21, 19, 1.8)

@@ -1,0 +1,161 @@
+"""A tab below the headline: a sentence that reads the run, its key numbers, and plots at rest."""
+
+from __future__ import annotations
+
+import time
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+import numpy as np
+import panel as pn
+
+from tyrecontact.steps import SCALARS
+
+from ..runner import Phase, Run
+from .rest import Redrawn
+from .style import DESK, HALL, Size
+
+#: a run under way is drawn anew when so many times the last drawing's cost has passed
+_PATIENCE = 10
+#: of a plot [px]: two fit beside each other on a desktop, and not on a phone
+_NARROWEST = 400
+
+_STYLE = """
+.reading { padding-left: 10px; border-left: 3px solid transparent; line-height: 1.45; }
+.bad { border-left-color: #D55E00; font-weight: 600; }
+.figures { display: flex; flex-wrap: wrap; gap: 4px 26px; margin-top: 8px; padding-left: 10px; }
+.label { opacity: 0.78; }
+.value { font-weight: 600; font-variant-numeric: tabular-nums; white-space: nowrap; }
+"""
+
+
+@dataclass(frozen=True)
+class Seen:
+    """A run as far as it has come.
+
+    Attributes
+    ----------
+    columns : name -> array, shape (count,), of time and of all numbers of a step; SI.
+    """
+
+    run: Run
+    columns: Mapping[str, np.ndarray]
+
+    @property
+    def ended(self) -> bool:
+        return self.run.phase.ended
+
+    @property
+    def failed_at(self) -> int | None:
+        """The first step that did not converge, or None."""
+        failed = np.flatnonzero(self.columns["converged"] == 0)
+        return int(failed[0]) if failed.size else None
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a tab shows of a run.
+
+    Attributes
+    ----------
+    sentence : reads the plots for the visitor.  bad : whether it is bad news.
+    figures : name -> value with its unit.  plots : name -> element of HoloViews.
+    """
+
+    sentence: str
+    bad: bool = False
+    figures: Mapping[str, str] = field(default_factory=dict)
+    plots: Mapping[str, Any] = field(default_factory=dict)
+
+
+class TabView(ABC):
+    """Attributes: `root` to look at; `reading` what is shown."""
+
+    def __init__(self) -> None:
+        self.reading = Reading("")
+        self._words = pn.pane.HTML(
+            "", stylesheets=[_STYLE], sizing_mode="stretch_width", margin=(8, 6)
+        )
+        self._grid = pn.FlexBox(gap="4px", sizing_mode="stretch_width")
+        self.root = pn.Column(self._words, self._grid, sizing_mode="stretch_width")
+        self._plots: dict[str, Redrawn] = {}
+        self._shown: tuple[Any, ...] = ()
+        self._size = DESK
+        self._due = 0.0
+
+    @abstractmethod
+    def read(self, seen: Seen) -> Reading:
+        """What to show of a run with at least one step."""
+
+    @property
+    @abstractmethod
+    def promise(self) -> str:
+        """What will be here, and how to get it."""
+
+    def show(self, run: Run | None, size: Size = DESK) -> None:
+        """Draw a run as far as it has come; one under way not more often than can be afforded."""
+        phase = None if run is None else run.phase  # first: after an end no row comes
+        count = run.record.count if run is not None and run.record is not None else 0
+        shown = (run, count, phase, size)
+        new = not self._shown or run is not self._shown[0] or size != self._size
+        hurried = time.monotonic() < self._due and phase is Phase.RUNNING
+        if shown == self._shown or (hurried and not new and count and self._shown[1]):
+            return
+        began = time.monotonic()
+        self.reading = self._read(run, count)
+        self._draw(size)
+        self._shown = shown
+        self._due = time.monotonic() + _PATIENCE * (time.monotonic() - began)
+
+    def _read(self, run: Run | None, count: int) -> Reading:
+        if run is None or run.record is None or not count:
+            return Reading(_why_nothing(run) or self.promise, run is not None and _is_bad(run))
+        columns = run.record.columns
+        return self.read(Seen(run, {name: columns[name][:count] for name in ("time", *SCALARS)}))
+
+    def _draw(self, size: Size) -> None:
+        self._words.object = _html(self.reading, size)
+        plots = self.reading.plots
+        fits = size == self._size and list(plots) == list(self._plots)
+        if fits and all(self._plots[name].takes(element) for name, element in plots.items()):
+            for name, element in plots.items():
+                self._plots[name].send(element)
+            return
+        self._size = size
+        self._plots = {name: Redrawn(element, size) for name, element in plots.items()}
+        narrowest = _NARROWEST if size != HALL else 1.5 * _NARROWEST
+        for plot in self._plots.values():
+            plot.root.styles = {"flex": f"1 1 {narrowest:.0f}px", "width": "auto", "min-width": "0"}
+        self._grid.objects = [plot.root for plot in self._plots.values()]
+
+
+def _is_bad(run: Run) -> bool:
+    return run.phase in (Phase.REFUSED, Phase.FAILED)
+
+
+def _why_nothing(run: Run | None) -> str:
+    """Why a run has no step yet, or has none; empty before the first run."""
+    if run is None:
+        return ""
+    if run.phase is Phase.REFUSED:
+        return f"Nothing to show: this run was refused, {run.message}."
+    if run.phase.ended:
+        return "Nothing to show: this run was stopped before its first step."
+    return "The run is being prepared; its plots come with its first steps."
+
+
+def _html(reading: Reading, size: Size) -> str:
+    figures = "".join(
+        f'<span><span class="label">{escape(name)}</span> '
+        f'<span class="value">{escape(value)}</span></span>'
+        for name, value in reading.figures.items()
+    )
+    kind = "reading bad" if reading.bad else "reading"
+    # a screen reader would read every change aloud: the sentence is there to be looked up
+    return (
+        f'<div style="font-size: {size.title}px"><div class="{kind}" aria-live="off">'
+        f'{escape(reading.sentence)}</div><div class="figures">{figures}</div></div>'
+    )

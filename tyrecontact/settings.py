@@ -16,6 +16,9 @@ import param
 
 from tyrecontact.errors import InputError, unknown_name
 
+#: one declaration for all scenarios: a copy of it for each takes longer than their values
+_SHARED: dict[str, Any] = {"per_instance": False}
+
 
 def _path(parameter: param.Parameter) -> str:
     """Part and name, "loading.rate"; a declaration's owner is a class, or an instance of it."""
@@ -38,7 +41,7 @@ class Quantity(param.Number):
         shown_in: tuple[str, float] | None = None,
     ) -> None:
         metadata = {"unit": unit, "shown_in": shown_in or (unit, 1.0)}
-        super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata)
+        super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata, **_SHARED)
 
     def _validate(self, val: Any) -> None:
         low, high = cast(tuple[float, float], self.bounds)
@@ -56,7 +59,7 @@ class Count(param.Integer):
 
     def __init__(self, default: int, bounds: tuple[int, int], doc: str, unit: str = "") -> None:
         metadata = {"unit": unit, "shown_in": (unit, 1.0)}
-        super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata)
+        super().__init__(default=default, bounds=bounds, doc=doc, metadata=metadata, **_SHARED)
 
     def _validate(self, val: Any) -> None:
         low, high = cast(tuple[float, float], self.bounds)
@@ -71,7 +74,7 @@ class Choice(param.Selector):
 
     def __init__(self, default: str, names: list[str], doc: str) -> None:
         metadata = {"unit": "", "shown_in": ("", 1.0)}
-        super().__init__(default=default, objects=names, doc=doc, metadata=metadata)
+        super().__init__(default=default, objects=names, doc=doc, metadata=metadata, **_SHARED)
 
     def _validate(self, val: Any) -> None:
         if not isinstance(val, str) or val not in self.objects:
@@ -83,7 +86,7 @@ class Text(param.String):
 
     def __init__(self, default: str, doc: str) -> None:
         metadata = {"unit": "", "shown_in": ("", 1.0)}
-        super().__init__(default=default, doc=doc, metadata=metadata)
+        super().__init__(default=default, doc=doc, metadata=metadata, **_SHARED)
 
     def _validate(self, val: Any) -> None:
         if not isinstance(val, str):
@@ -101,7 +104,7 @@ class Tables(param.Parameter):
 
     def __init__(self, called: str, taken: Callable[[Mapping[str, Any]], dict], doc: str) -> None:
         metadata = {"unit": "", "shown_in": ("", 1.0), "called": called, "taken": taken}
-        super().__init__(default=[], instantiate=True, doc=doc, metadata=metadata)
+        super().__init__(default=[], instantiate=True, doc=doc, metadata=metadata, **_SHARED)
 
     def taken(self, val: Any) -> list[dict]:
         """The tables checked, and copied: later changes of `val` do not reach the setting."""
@@ -151,7 +154,7 @@ class Group(param.ClassSelector):
     """A part of a scenario: each scenario has its own."""
 
     def __init__(self, kind: type[Part]) -> None:
-        super().__init__(class_=kind, default=kind(), instantiate=True)
+        super().__init__(class_=kind, default=kind(), instantiate=True, **_SHARED)
 
     def _validate(self, val: Any) -> None:
         if not isinstance(val, self.class_):

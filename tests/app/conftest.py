@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 
 import panel as pn
 import pytest
@@ -35,3 +36,16 @@ def finished(small: Scenario) -> Run:
     run.start()
     assert run.join(60)
     return run
+
+
+@pytest.fixture
+def wait_for() -> Callable[[Callable[[], bool]], None]:
+    """Wait until something is so; what should come at once and does not is given a minute."""
+
+    def wait(condition: Callable[[], bool], seconds: float = 60.0) -> None:
+        limit = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < limit, "waited too long"
+            time.sleep(0.002)
+
+    return wait

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import threading
 import time
+from collections.abc import Callable
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from app import baseline
+from app import gate
+from app.limits import Limits
 from app.runner import Phase, Run
 from tyrecontact import Scenario, Simulation
+from tyrecontact.errors import InputError
 from tyrecontact.results import Record, Step
 
-
-def _wait_for(condition, seconds: float = 60.0) -> None:
-    limit = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < limit, "waited too long"
-        time.sleep(0.002)
+Waiting = Callable[[Callable[[], bool]], None]
 
 
 def test_a_run_gives_the_same_as_the_library(finished: Run, small: Scenario) -> None:
@@ -30,10 +29,12 @@ def test_a_run_gives_the_same_as_the_library(finished: Run, small: Scenario) -> 
     assert streamed.stop_reason == "completed"
 
 
-def test_a_stopped_run_keeps_its_steps_and_takes_no_more_than_one_after(small: Scenario) -> None:
+def test_a_stopped_run_keeps_its_steps_and_takes_no_more_than_one_after(
+    small: Scenario, wait_for: Waiting
+) -> None:
     run = Run(small, duration=30.0)
     run.start()
-    _wait_for(lambda: run.record is not None and run.record.count >= 3)
+    wait_for(lambda: run.record is not None and run.record.count >= 3)
     run.stop()
     at_stop = run.record.count
     assert run.join(5)
@@ -60,10 +61,10 @@ def test_a_run_stopped_before_it_starts_computes_nothing(small: Scenario) -> Non
     assert run.results() is None
 
 
-def test_a_duration_spreads_the_steps_evenly(small: Scenario) -> None:
+def test_a_duration_spreads_the_steps_evenly(small: Scenario, wait_for: Waiting) -> None:
     run = Run(small, duration=1.5)
     run.start()
-    _wait_for(lambda: run.phase is Phase.RUNNING)
+    wait_for(lambda: run.phase is Phase.RUNNING)
     began = time.monotonic()
     assert run.join(60)
     # never faster than asked for; how much slower is the machine's business
@@ -89,44 +90,6 @@ def test_later_changes_of_the_scenario_do_not_reach_the_run(small: Scenario) -> 
     assert run.results().indentation[-1] == pytest.approx(100e-6)
 
 
-def test_the_baseline_is_the_run_at_rest_and_is_kept(small: Scenario) -> None:
-    baseline._baselines.clear()
-    runs = [Run(small), Run(small)]
-    for run in runs:
-        run.start()
-        assert run.join(60)
-    first, second = (run.baseline for run in runs)
-    assert first is second
-    still = small.copy()
-    still.numerics.kernel = "static"
-    alone = Simulation(still).run()
-    expected = np.interp(first.indentation, alone.indentation, alone.contact_force)
-    # interpolation between the steps of the run it is compared with
-    np.testing.assert_allclose(first.contact_force, expected, atol=2e-3 * expected.max())
-
-
-@pytest.mark.parametrize(
-    ("change", "kept"),
-    [
-        (("numerics.kernel", "band-limited"), True),
-        (("numerics.time_resolution_factor", 2), False),  # other steps of the road to compare with
-        (("road.seed", 2), False),
-    ],
-)
-def test_the_baseline_is_kept_for_what_does_not_change_it(
-    small: Scenario, change: tuple[str, object], kept: bool
-) -> None:
-    made = []
-    for scenario in (small, small.copy()):
-        if made:
-            scenario.set(*change)
-        run = Run(scenario)
-        run.start()
-        assert run.join(60)
-        made.append(run.baseline)
-    assert (made[0] is made[1]) is kept
-
-
 def test_a_run_that_breaks_off_keeps_its_steps_and_says_so(
     small: Scenario, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -147,10 +110,10 @@ def test_a_run_that_breaks_off_keeps_its_steps_and_says_so(
     assert run.results().stop_reason == "no more"
 
 
-def test_a_run_waits_for_the_one_that_it_supersedes(small: Scenario) -> None:
+def test_a_run_waits_for_the_one_that_it_supersedes(small: Scenario, wait_for: Waiting) -> None:
     first = Run(small, duration=30.0)
     first.start()
-    _wait_for(lambda: first.phase is Phase.RUNNING)
+    wait_for(lambda: first.phase is Phase.RUNNING)
     second = Run(small, after=first)
     second.start()
     assert second.join(30)
@@ -166,3 +129,121 @@ def test_no_thread_is_left_behind(small: Scenario) -> None:
         run.stop()
         assert run.join(60)
     assert threading.active_count() == before
+
+
+def test_a_run_that_supersedes_uses_what_the_one_before_has_made(small: Scenario) -> None:
+    first = Run(small)
+    first.start()
+    changed = small.copy()
+    changed.adhesion.release_force = 1.0
+    between = Run(changed, after=first)  # stopped before, or while, it prepares
+    last = Run(changed, after=between)
+    first.join(60)
+    between.start()
+    last.start()
+    assert last.join(60)
+    assert last.phase is Phase.FINISHED
+    assert last.simulation.patch is first.simulation.patch
+    assert last.simulation.springs is first.simulation.springs
+    np.testing.assert_array_equal(
+        last.results().contact_force, Simulation(changed).run().contact_force
+    )
+
+
+def test_a_run_waits_for_whom_its_predecessor_had_to_wait_for(
+    small: Scenario, monkeypatch: pytest.MonkeyPatch, wait_for: Waiting
+) -> None:
+    """A run that is stopped while it waits ends at once, though the one before it is not done."""
+    append, go_on = Record.append, threading.Event()
+
+    def held_up(record: Record, step: Step) -> None:
+        append(record, step)
+        if record is first.record:
+            go_on.wait(60)
+
+    first = Run(small, duration=30.0)
+    monkeypatch.setattr(Record, "append", held_up)
+    first.start()
+    wait_for(lambda: first.record is not None and first.record.count == 1)
+    between = Run(small, after=first)
+    between.start()
+    last = Run(small, after=between)
+    last.start()
+    assert between.join(60)
+    assert (between.phase, first.phase) == (Phase.STOPPED, Phase.RUNNING)
+    assert last.phase is Phase.WAITING
+    go_on.set()
+    assert last.join(60)
+    assert (first.phase, last.phase) == (Phase.STOPPED, Phase.FINISHED)
+    assert first.record.count == 1
+
+
+def test_a_run_out_of_time_keeps_its_steps_and_is_no_failure(
+    small: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    append, clock = Record.append, SimpleNamespace(now=0.0)
+
+    def take_long(record: Record, step: Step) -> None:
+        append(record, step)
+        clock.now += 100.0
+
+    monkeypatch.setattr(gate, "time", SimpleNamespace(monotonic=lambda: clock.now))
+    run = Run(small, baseline_first=False, limits=Limits(seconds=250.0))
+    monkeypatch.setattr(Record, "append", take_long)
+    run.start()
+    assert run.join(60)
+    results = run.results()
+    assert (run.phase, len(results)) == (Phase.STOPPED, 3)
+    assert run.message == "stopped after 250 s, the longest that this server computes"
+    assert results.stop_reason == run.message
+    assert results.failed_at is None
+
+
+def test_a_pause_is_not_counted_as_time(
+    small: Scenario, monkeypatch: pytest.MonkeyPatch, wait_for: Waiting
+) -> None:
+    clock = SimpleNamespace(now=0.0)
+    monkeypatch.setattr(gate, "time", SimpleNamespace(monotonic=lambda: clock.now))
+    run = Run(small, paused=True, limits=Limits(seconds=250.0))
+    run.start()
+    wait_for(lambda: run.phase is Phase.PAUSED)
+    clock.now += 1e6
+    run.resume()
+    assert run.join(60)
+    assert run.phase is Phase.FINISHED
+
+
+def test_what_is_beyond_the_limits_is_refused(small: Scenario) -> None:
+    run = Run(small, limits=Limits(steps=20))
+    run.start()
+    assert run.join(60)
+    assert run.phase is Phase.REFUSED
+    assert run.message.startswith("a run must take at most 20 steps on this server, got 52")
+
+
+def test_progress_and_time_left(small: Scenario, wait_for: Waiting) -> None:
+    run = Run(small, duration=1000.0)
+    assert (run.progress, run.time_left) == (0.0, None)
+    run.start()
+    wait_for(lambda: run.record is not None and run.record.count == 1)
+    total = len(run.simulation)
+    assert run.progress == 1 / total
+    assert run.time_left is None  # after one step nobody knows
+    run.duration = 30.0
+    wait_for(lambda: run.time_left is not None)
+    assert 0 < run.time_left < 60
+    run.pause()
+    wait_for(lambda: run.phase is Phase.PAUSED)
+    assert run.time_left is None
+    run.duration = 0.0
+    run.resume()
+    assert run.join(60)
+    assert (run.progress, run.time_left) == (1.0, None)
+
+
+@pytest.mark.parametrize("duration", [-1.0, float("nan"), float("inf")])
+def test_a_duration_is_a_time(small: Scenario, finished: Run, duration: float) -> None:
+    with pytest.raises(InputError, match=r"duration of a run must be 0 or more, got .* s"):
+        Run(small, duration)
+    with pytest.raises(InputError):
+        finished.duration = duration

@@ -45,9 +45,9 @@ def hermitian_symbol(kernel: Kernel, theta: float | np.ndarray) -> np.ndarray:
     [m/N], shape (..., ny, nx): entry (i, j) stands between elements |i| rows and |j| columns
     apart. The kernel is even in both, hence Herm is the real part.
     """
-    z = np.exp(-1j * np.asarray(theta, float))[..., None]
-    weight = ((1 - z) * z ** np.arange(kernel.lags)).real
-    return np.tensordot(weight, kernel.values, axes=1)
+    # Re[(1 - z) z^n], z = e^{-i theta}
+    waves = np.cos(np.asarray(theta, float)[..., None] * np.arange(kernel.lags + 1))
+    return np.tensordot(-np.diff(waves, axis=-1), kernel.values, axes=1)
 
 
 def critical_angle(kernel: Kernel) -> float:

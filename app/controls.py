@@ -11,7 +11,7 @@ import panel_material_ui as pmui
 from tyrecontact import Scenario, presets
 from tyrecontact.errors import InputError
 
-from .fields import NAMES, Field, label_of
+from .fields import NAMES, Field
 from .history import History, Past
 from .road_file import RoadFile
 from .text_file import TextFile
@@ -60,7 +60,8 @@ class Controls:
         self._plain = presets.get(self.preset)
         self.history = History(self._state())
         self._fields: dict[str, Field] = {}
-        self.road_file = RoadFile(self.take_road, refuse)
+        self._brought: dict[str, Any] = {}  # settings of a road file in use
+        self.road_file = RoadFile(self.take_road, refuse, lambda: self.scenario.road)
         self.text_files = {
             path: TextFile(title, lambda file, path=path: self.change(path, file), refuse)
             for path, title in OF_FILES.items()
@@ -117,6 +118,12 @@ class Controls:
         self._show(values)
         self._tell(values)
 
+    @property
+    def file_names(self) -> dict[str, str]:
+        """Path of a setting -> name that the visitor's file had."""
+        names = {path: file.name for path, file in self.text_files.items() if file.name}
+        return {**names, "road.file": self.road_file.name} if self.road_file.name else names
+
     def restore(self, path: str) -> None:
         """Take the preset's value of a setting."""
         part, parameter = self._plain.find(path)
@@ -127,18 +134,15 @@ class Controls:
         plain = presets.get(preset)
         scenario = plain.copy() if scenario is None else scenario.copy()
         if not scenario.road.file:
-            for path in OF_ROAD_FILE:
-                scenario.set(path, self.value(path))
+            for path, value in self._brought.items():
+                scenario.set(path, value)
         self.preset, self._plain, self.scenario = preset, plain, scenario
         self.history.add(self._state(), "")
         self._show_all()
 
     def reset(self) -> None:
         """Back to the preset, in all settings; undo brings them back."""
-        for path in self.changes():
-            if path in OF_FILES:
-                self.text_files[path].clear()
-        self.road_file.forget()
+        self._brought = {}
         self.load(self.preset)
 
     def undo(self) -> None:
@@ -149,8 +153,8 @@ class Controls:
 
     def take_road(self, settings: dict[str, Any]) -> None:
         """Use a road file, or none: settings by path."""
-        # the file last: it is not set where its pitch is refused
-        self.change_all(dict(sorted(settings.items(), key=lambda item: item[0] == "road.file")))
+        self._brought = settings if settings.get("road.file") else {}
+        self.change_all(settings)
 
     def close(self) -> None:
         """Remove what the visitor has brought."""
@@ -173,6 +177,7 @@ class Controls:
         self._tell([path for path, _, _ in self.scenario.settings()])
 
     def _show(self, paths: Iterable[str]) -> None:
+        self.road_file.show(self.scenario.road.file)
         for path in paths:
             if path in self._fields:
                 self._fields[path].set(self.value(path))
@@ -192,8 +197,3 @@ class Controls:
                 continue
             rows.append((self.text_files.get(path) or self.field(path)).root)
         return rows
-
-
-def changed_in_words(paths: Iterable[str]) -> str:
-    """Names of settings, for people."""
-    return ", ".join(label_of(path) for path in paths)

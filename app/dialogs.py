@@ -11,6 +11,8 @@ from . import links
 from .browser import Browser
 from .controls import Controls
 from .keyboard import HELP
+from .runner import Run
+from .views.downloads import Downloads
 from .views.gallery import Gallery
 
 _ABOUT = """
@@ -24,6 +26,7 @@ Pin runs in the tab <em>Compare</em>. The <em>Lessons</em> lead through the thes
 <em>Theory</em> has the equations.</p>
 <p>The model is that of J. Winroth's thesis (Chalmers 2010:8). Nothing you do leaves this server,
 and a run stays until you close the tab.</p>"""
+_IN_A_LINK = "The link holds the preset and what differs from it, not the run"
 _STYLE = """
 :host { font-size: calc(15px * var(--scale, 1)); line-height: 1.5; }
 th { text-align: left; padding: 3px 24px 3px 0; white-space: nowrap; }
@@ -37,6 +40,7 @@ class Dialogs:
     Parameters
     ----------
     load_preset : called with the name of a preset that was chosen.
+    run : gives the run on show.
 
     Attributes
     ----------
@@ -44,9 +48,14 @@ class Dialogs:
     """
 
     def __init__(
-        self, controls: Controls, browser: Browser, load_preset: Callable[[str], None]
+        self,
+        controls: Controls,
+        browser: Browser,
+        load_preset: Callable[[str], None],
+        run: Callable[[], Run | None],
     ) -> None:
         self._controls, self._browser, self._load_preset = controls, browser, load_preset
+        self._run, self._downloads = run, Downloads()
         self._gallery: Gallery | None = None
         self.root = pmui.Dialog(
             title_variant="h6", close_on_click=True, show_close_button=True, scroll="paper"
@@ -66,20 +75,23 @@ class Dialogs:
         self._open("tyrecontact", "md", pn.pane.HTML(text, stylesheets=[_STYLE]))
 
     def share(self) -> None:
-        """A link to what the form says."""
-        scenario = self._controls.scenario
-        link = self._browser.address + links.query(self._controls.preset, scenario)
-        entry = pmui.TextInput(label="Link", value=link, sizing_mode="stretch_width")
-        done = pmui.Typography(
-            " ".join(links.unshared(scenario)) or "It holds the preset and what you have changed.",
-            variant="body2",
+        """What can be taken away: a link to what the form says; the run on show; the plots."""
+        controls = self._controls
+        link = f"{self._browser.address}?{links.query(controls.preset, controls.scenario)}"
+        entry = pmui.TextInput(
+            label="Link to this scenario", value=link, sizing_mode="stretch_width", margin=(10, 10)
         )
-        copy = pmui.Button(label="Copy", icon="content_copy", variant="contained")
+        note = pmui.Typography(
+            ". ".join([*links.unshared(controls.scenario), _IN_A_LINK]), variant="body2",
+            margin=(0, 10),
+        )  # fmt: skip
+        copy = pmui.Button(label="Copy the link", icon="content_copy", variant="contained")
         copy.on_click(lambda _: self._browser.copy(link))
-        self._browser.on_copied = lambda worked: done.param.update(
+        self._browser.on_copied = lambda worked: note.param.update(
             object="Copied." if worked else "Not copied: select the link and copy it by hand."
         )
-        self._open("Share", "md", entry, copy, done)
+        self._downloads.show(controls.preset, self._run(), controls.file_names)
+        self._open("Share and download", "md", entry, copy, note, self._downloads.root)
 
     def _chosen(self, name: str) -> None:
         self.root.open = False

@@ -7,9 +7,9 @@ from typing import Any
 import panel as pn
 import panel_material_ui as pmui
 
-from .runner import Phase, Run
+from .runner import Run
 
-#: what is too much for a phone's header
+#: what is too much for a phone's header stands in its sidebar
 _WIDE = "@media (max-width: 700px) { :host { display: none !important; } }"
 
 #: on the dark bar, whatever the theme
@@ -39,28 +39,35 @@ class Header:
         )  # fmt: skip
         self.share = _icon("Share", "share", "Share a link")
         self.present = _icon("Presentation", "co_present", "Presentation mode (P)")
-        self.present.stylesheets = [_WIDE]
         self.help = _icon("Help", "help_outline", "Help and keys (?)")
-        gap = pn.Spacer(sizing_mode="stretch_width", height=1, stylesheets=[_WIDE])
         name = pmui.Typography(
-            "tyrecontact",
-            variant="h6",
-            margin=(8, 8, 8, 0),
-            stylesheets=[_WIDE],
+            "tyrecontact", variant="h6", margin=(8, 8, 8, 0), stylesheets=[_WIDE],
             sx={"color": "#fff"},
+        )  # fmt: skip
+        gap = pn.Spacer(sizing_mode="stretch_width", height=1)
+        choices = pn.Row(self.preset, margin=0, stylesheets=[_WIDE])
+        others = pn.Row(
+            self.share, self.present, self.help, margin=0, align="end", stylesheets=[_WIDE]
         )
-        controls = [name, self.run, self.pause, self.step, self.stop, self.preset]
-        self.root = [
-            pn.Row(
-                *controls, gap, self.share, self.present, self.help,
-                sizing_mode="stretch_width", margin=0,
-            )
-        ]  # fmt: skip
+        runs = [name, self.run, self.pause, self.step, self.stop]
+        self.root = [pn.Row(*runs, choices, gap, others, sizing_mode="stretch_width", margin=0)]
+
+    def for_phones(self) -> pn.Row:
+        """What a phone's header has no room for, to stand in its sidebar."""
+        small = {"size": "small", "variant": "outlined", "margin": (8, 4)}
+        below = []
+        for label, button in (
+            ("Presets", self.preset), ("Share", self.share), ("Help", self.help)
+        ):  # fmt: skip
+            copy = pmui.Button(label=label, **small)
+            copy.on_click(lambda _, button=button: button.param.trigger("value"))
+            below.append(copy)
+        return pn.Row(*below, margin=(0, 6))
 
     def update(self, run: Run | None) -> None:
         """Show what can be done with the run on show."""
         under_way = run is not None and not run.phase.ended
-        paused = run is not None and run.phase is Phase.PAUSED
+        paused = run is not None and run.paused
         _set(self.stop, disabled=not under_way)
         _set(self.pause, disabled=not under_way)
         _set(self.pause, icon="play_arrow" if paused else "pause")

@@ -10,10 +10,11 @@ import panel_material_ui as pmui
 
 from .player import Player
 from .runner import Run
-from .views.contact_map import MODES, ContactMapView
+from .views.contact_map import ContactMapView
 from .views.element import ElementView
 from .views.force import ForceView
 from .views.iterations import IterationsView
+from .views.map_modes import MODES
 from .views.style import Size, horizontal
 
 #: heights that fill a screen and no more: what stands above and below is taken off
@@ -43,14 +44,14 @@ class Live:
         self.force, self.iterations = ForceView(), IterationsView()
         self.contact_map, self.element = ContactMapView(), ElementView()
         self.contact_map.on_tap = self.follow
-        self.element.on_follow = self.contact_map.frame
-        self.player = Player(redraw)
+        self.player = Player()
+        self.player.on_change = redraw
         self.axis = pmui.RadioButtonGroup(
             options=["indentation", "time"], value="indentation",
             size="small", margin=(2, 10),
         )  # fmt: skip
         self.mode = pmui.Select(
-            label="Map of", options=MODES, value="force", size="small",
+            label="Map of", options=list(MODES), value="force", size="small",
             sizing_mode="stretch_width", margin=(8, 10, 2, 10),
         )  # fmt: skip
         self.axis.param.watch(lambda _: self._choose_axis(), "value")
@@ -69,7 +70,7 @@ class Live:
         self.force.reset()
         self.iterations.reset(run.scenario.numerics.max_iterations)
         self.contact_map.clear()
-        self.player.begin()
+        self.player.reset()
 
     def draw(self, run: Run, ended: bool) -> None:
         """Show what has come since the last frame, and the step that is asked for."""
@@ -85,12 +86,13 @@ class Live:
             self.iterations.update(run.record, low, high, ended)
             self._drawn = high
         if high:
-            self.player.update(high, len(run.simulation))
+            self.player.update(high, len(run.simulation), run.record.columns)
             self._show_step(run, high, ended)
 
     def follow(self, row: int, column: int) -> None:
         """Follow an element; rows and columns from 0."""
         self.element.follow(row, column)
+        self.contact_map.follow(row, column)
         self._shown = None
         if self._run is not None and self._drawn:
             self._show_step(self._run, self._drawn, self._run.phase.ended)
@@ -120,6 +122,7 @@ class Live:
     def _compare(self, run: Run) -> None:
         assert run.baseline is not None
         self.force.compare_with(run.baseline, fit=not self._fitted)
+        self.contact_map.expect(run.baseline.peak_element_force)
         self._fitted = self._compared = True
         self._choose_axis()
 

@@ -7,6 +7,7 @@ from typing import Any
 import panel as pn
 import panel_material_ui as pmui
 
+from .limits import sessions
 from .session import Session
 
 _BAR = {"MuiAppBar": {"styleOverrides": {"root": {"backgroundColor": "#0B3F5E", "color": "#fff"}}}}
@@ -18,10 +19,28 @@ _THEME = {
 _PHONE = 600
 
 
-def build() -> pmui.Page:
-    """The page, wired; it starts no thread until Run is pressed."""
+def build() -> pmui.Page | pn.Column:
+    """The page, wired; it starts no thread until Run is pressed. Or, where the server has as many
+    visitors as it takes, a word about that.
+    """
     pn.config.respect_explicit_sizing = True
+    visitor, visitors = object(), sessions()
+    if not visitors.enter(visitor):
+        return _full(len(visitors))
+    pn.state.on_session_destroyed(lambda _: visitors.leave(visitor))
     return lay_out(Session())
+
+
+def _full(visitors: int) -> pn.Column:
+    """A page that says to come back."""
+    return pn.Column(
+        pmui.Typography("tyrecontact is busy", variant="h5"),
+        pmui.Typography(
+            f"This server shows the page to {visitors} visitors at once, and that many are here. "
+            "Please reload in a few minutes.", variant="body1",
+        ),
+        margin=40,
+    )  # fmt: skip
 
 
 def lay_out(session: Session) -> pmui.Page:
@@ -44,7 +63,7 @@ def lay_out(session: Session) -> pmui.Page:
         busy_indicator=None,
     )  # fmt: skip
     page.param.watch(lambda event: session.live.darken(event.new), "dark_theme")
-    session.browser.on_width = lambda width: _make_room(page, width)
+    session.browser.on_width = lambda width: _make_room(page, session, width)
     session.on_present = lambda large: page.param.update(sidebar_open=not large)
     # the page would follow the server's being busy, at a redraw each, and never be freed
     for watcher in _busy_watchers():
@@ -53,9 +72,12 @@ def lay_out(session: Session) -> pmui.Page:
     return page
 
 
-def _make_room(page: pmui.Page, width: int) -> None:
-    if width < _PHONE and page.sidebar_open:
-        page.sidebar_open = False
+def _make_room(page: pmui.Page, session: Session, width: int) -> None:
+    """On a phone: the plots first, and in the sidebar what the header has no room for."""
+    if width < _PHONE:
+        page.param.update(
+            sidebar_open=False, sidebar=[session.header.for_phones(), *session.whatif.root]
+        )
 
 
 def _busy_watchers() -> list[Any]:

@@ -6,7 +6,8 @@ import numpy as np
 
 from tyrecontact.key_figures import first_unstable
 
-from .runner import Phase, Run
+from .phase import Phase
+from .runner import Run
 
 
 def three_digits(value: float) -> str:
@@ -100,7 +101,7 @@ def _place(run: Run, step: int) -> str:
     if not np.isfinite(jump).any():
         return ""
     row, column = np.unravel_index(np.nanargmax(jump), jump.shape)
-    return f", worst at row {row + 1}, column {column + 1}"
+    return f", worst at row {row}, column {column}"
 
 
 def _why(run: Run, count: int) -> str:

@@ -78,6 +78,12 @@ class RoadFile:
         )
         self.dialog = pn.Column(margin=0)
 
+    @property
+    def name(self) -> str:
+        """That the file in use had, or empty."""
+        used = self._used.get(self.file)
+        return used.name if used else ""
+
     def show(self, file: str) -> None:
         """Say which file is in use after the scenario was changed elsewhere, as by undo."""
         self.file = file

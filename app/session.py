@@ -12,13 +12,17 @@ from .browser import Browser
 from .controls import Controls
 from .dialogs import Dialogs
 from .header import Header
-from .limits import LIMITS, SLOTS
+from .limits import limits, slots
 from .live import Live
-from .runner import Phase, Run
+from .runner import Run
 from .shelf import Shelf
-from .tabs import Tabs
+from .tabs import CodeTab, InputsTab, Tabs
+from .views.energy import EnergyView
 from .views.headline import HeadlineView
+from .views.release import ReleaseView
+from .views.stiffness import StiffnessView
 from .views.style import DESK, HALL
+from .views.theory import TheoryView
 from .whatif import WhatIf
 
 #: milliseconds between two looks at what the solver has left
@@ -55,8 +59,18 @@ class Session:
         self.whatif = WhatIf(self.controls, self._paced)
         self.live = Live(self._redraw)
         self.lesson = pn.Column()
-        self.tabs = Tabs(self.live.root, {})
-        self.dialogs = Dialogs(self.controls, self.browser, self.load_preset)
+        self.tabs = Tabs(
+            self.live.root,
+            {
+                "Stiffness": StiffnessView,
+                "Release": ReleaseView,
+                "Energy": EnergyView,
+                "Inputs": lambda: InputsTab(self.controls),
+                "Theory": TheoryView,
+                "Code": lambda: CodeTab(self.controls),
+            },
+        )
+        self.dialogs = Dialogs(self.controls, self.browser, self.load_preset, lambda: self.run)
         self._wire()
         pn.state.on_session_destroyed(lambda _: self.close())
 
@@ -65,7 +79,7 @@ class Session:
         before = self.run
         self.run = Run(
             self.controls.scenario, self.whatif.duration, after=before, paused=paused,
-            baseline_first=not live, limits=LIMITS, slots=SLOTS,
+            baseline_first=not live, limits=limits(), slots=slots(),
         )  # fmt: skip
         self.live.begin(self.run, keep_scale=live)
         self.run.start()
@@ -84,8 +98,7 @@ class Session:
     def pause(self) -> None:
         """Pause the run, or let it go on."""
         if self.run is not None and not self.run.phase.ended:
-            paused = self.run.phase is Phase.PAUSED
-            (self.run.resume if paused else self.run.pause)()
+            (self.run.resume if self.run.paused else self.run.pause)()
 
     def step(self) -> None:
         """One time step: of the run that is paused, or of a new one."""

@@ -9,7 +9,10 @@ import panel as pn
 import panel_material_ui as pmui
 from panel.viewable import Viewable
 
+from .controls import Controls
 from .runner import Run
+from .views.code import CodeView
+from .views.inputs import InputsView
 from .views.style import DESK, Size
 
 
@@ -85,3 +88,32 @@ class Tabs:
             self._places[index - 1].objects = [view.root]
             self.root.param.trigger("objects")
         self.show(self._run)
+
+
+class InputsTab:
+    """What goes into the run on show; before the first, what would go into one."""
+
+    def __init__(self, controls: Controls) -> None:
+        self._controls, self._view = controls, InputsView()
+        self.root = self._view.root
+
+    def show(self, run: Run | None, size: Size = DESK) -> None:
+        if run is None:
+            self._view.show_scenario(self._controls.scenario, size)
+        else:
+            self._view.show(run, size)
+
+    def close(self) -> None:
+        self._view.close()
+
+
+class CodeTab:
+    """What gives the run that the form stands for."""
+
+    def __init__(self, controls: Controls) -> None:
+        self._controls, self._view = controls, CodeView()
+        self.root = self._view.root
+
+    def show(self, run: Run | None, size: Size = DESK) -> None:
+        controls = self._controls
+        self._view.show_scenario(controls.preset, controls.scenario, size, controls.file_names)

@@ -23,12 +23,17 @@ class TextFile:
     title : what the file is.
     take : called with its path, or with "" when it was dropped.
     refuse : called with one sentence about a file that cannot be taken.
+
+    Attributes
+    ----------
+    name : that the file had, or empty.
     """
 
     def __init__(
         self, title: str, take: Callable[[str], None], refuse: Callable[[str], None]
     ) -> None:
         self._title, self._take, self._refuse = title, take, refuse
+        self.name = ""
         self._folder: tempfile.TemporaryDirectory[str] | None = None
         self._input: pmui.FileInput | None = None
 
@@ -53,7 +58,7 @@ class TextFile:
         """Remove what was kept on disk."""
         if self._folder is not None:
             self._folder.cleanup()
-        self._folder = None
+        self._folder, self.name = None, ""
 
     def _uploaded(self, event: param.parameterized.Event) -> None:
         content = event.new
@@ -77,4 +82,5 @@ class TextFile:
         # nothing of the visitor's name is taken
         path = Path(self._folder.name) / "table.txt"
         path.write_bytes(content)
+        self.name = str(self.root.filename or path.name)
         return path

@@ -27,7 +27,7 @@ def test_a_failed_step_is_described_with_place_size_cause_and_advice(finished: R
     assert bad
     assert "1 not converged, the first at step 10 and " in sentence
     assert "residual" in sentence
-    assert "worst at row 3, column 5" in sentence
+    assert "worst at row 2, column 4" in sentence
     assert f"From {columns['indentation'][8] * 1e6:.1f} µm on the band-limited kernel" in sentence
     assert "try time-resolution factor 2, or the passive kernel" in sentence
 

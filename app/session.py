@@ -7,7 +7,7 @@ from typing import Any
 
 import panel as pn
 
-from . import keyboard
+from . import keyboard, links
 from .browser import Browser
 from .controls import Controls
 from .dialogs import Dialogs
@@ -72,6 +72,7 @@ class Session:
         )
         self.dialogs = Dialogs(self.controls, self.browser, self.load_preset, lambda: self.run)
         self._wire()
+        self._open_link()
         pn.state.on_session_destroyed(lambda _: self.close())
 
     def start(self, paused: bool = False, live: bool = False) -> None:
@@ -165,6 +166,18 @@ class Session:
     def _run_now(self) -> None:
         self._waiting = False
         self.start(live=True)
+
+    def _open_link(self) -> None:
+        """Put into the form what the address asks for; what it asks for in vain is said."""
+        location = pn.state.location
+        search = "" if location is None else location.search
+        if not search:
+            return
+        link = links.parse(search)
+        self.load_preset(link.preset)
+        self.controls.load(link.preset, link.scenario)
+        if link.problems:
+            self.headline.refuse("; ".join(link.problems))
 
     def _changed(self, paths: Iterable[str]) -> None:
         """The form says something else."""

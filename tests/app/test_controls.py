@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
-from app.controls import MAIN, Controls
+from app.controls import GROUPS, MAIN, OF_FILES, OF_ROAD_FILE, Controls
 from tyrecontact import presets
+from tyrecontact.settings import Text
 
 
 @pytest.fixture
@@ -14,74 +17,133 @@ def refusals() -> list[str]:
 
 
 @pytest.fixture
-def controls(refusals: list[str]) -> Controls:
-    return Controls(refusals.append, refusals.clear)
+def told() -> list[list[str]]:
+    return []
 
 
-def test_every_setting_has_a_widget_but_files_and_tables(controls: Controls) -> None:
-    paths = {path for path, _, _ in controls.scenario.settings()}
-    assert paths - set(controls.widgets) == {
-        "road.file", "road.pitch", "road.height_unit", "tread.layers",
-        "tread.modulus_table", "loading.table",
-    }  # fmt: skip
+@pytest.fixture
+def controls(refusals: list[str], told: list[list[str]]) -> Controls:
+    return Controls(refusals.append, lambda paths: told.append(list(paths)))
 
 
-def test_the_four_main_controls_stand_on_top(controls: Controls) -> None:
-    top = controls.root[0]
-    assert [controls.widgets[path] for path in MAIN] == list(top)[1:]
+def test_every_setting_can_be_reached_on_the_form(controls: Controls) -> None:
+    shown = {*MAIN, *OF_ROAD_FILE}
+    for parts in GROUPS.values():
+        controls._rows(parts)
+    shown |= set(controls._fields) | set(OF_FILES)
+    assert shown == {path for path, _, _ in controls.scenario.settings()}
 
 
-def test_labels_carry_the_unit_that_is_shown(controls: Controls) -> None:
-    assert controls.widgets["adhesion.release_force"].label == "Release criterion [N]"
-    assert controls.widgets["loading.max_indentation"].label == "Max indentation [mm]"
-    assert controls.widgets["loading.max_indentation"].value == pytest.approx(0.2)
-    assert controls.widgets["tread.base_poissons_ratio"].label == "Base Poisson's ratio"
+def test_what_is_folded_is_made_when_it_is_unfolded_and_once(controls: Controls) -> None:
+    assert set(controls._fields) == set(MAIN)
+    controls._folded.active = [1]
+    made = dict(controls._fields)
+    assert set(made) > set(MAIN)
+    controls._folded.active = []
+    controls._folded.active = [1]
+    assert controls._fields == made
 
 
-def test_a_changed_widget_changes_the_scenario_in_si_units(controls: Controls) -> None:
-    controls.widgets["loading.max_indentation"].value = 0.15
-    controls.widgets["adhesion.release_force"].value = 0.3
-    controls.widgets["numerics.time_resolution_factor"].value = 4
-    controls.widgets["loading.profile"].value = "quadratic"
-    scenario = controls.scenario
-    assert scenario.loading.max_indentation == pytest.approx(0.15e-3)
-    assert scenario.adhesion.release_force == 0.3
-    assert scenario.numerics.time_resolution_factor == 4
-    assert scenario.loading.profile == "quadratic"
+def test_a_file_of_the_server_cannot_be_named(controls: Controls) -> None:
+    for path, parameter, _ in controls.scenario.settings():
+        if isinstance(parameter, Text):
+            assert path in (*OF_FILES, *OF_ROAD_FILE)
+
+
+def test_a_moved_control_changes_the_scenario_in_si_units(
+    controls: Controls, told: list[list[str]]
+) -> None:
+    for path, shown, value in (
+        ("loading.max_indentation", 0.15, 0.15e-3),
+        ("adhesion.release_force", 0.3, 0.3),
+        ("numerics.time_resolution_factor", 4, 4),
+        ("loading.profile", "quadratic", "quadratic"),
+    ):
+        controls.field(path).root.value = shown
+        assert controls.value(path) == pytest.approx(value)
+        assert controls.field(path).root.differs
+        assert told[-1] == [path]
 
 
 def test_a_bad_value_is_refused_with_a_sentence_and_put_back(
     controls: Controls, refusals: list[str]
 ) -> None:
-    widget = controls.widgets["tread.thickness"]
-    widget.value = -1.0
-    assert len(refusals) == 1
-    assert "tread.thickness must be a number between" in refusals[0]
-    assert widget.value == pytest.approx(10.0)
-    assert controls.scenario.tread.thickness == pytest.approx(10e-3)
+    for value in (-1.0, None, float("nan")):
+        refusals.clear()
+        widget = controls.field("tread.thickness").root
+        widget.value = value
+        assert len(refusals) == 1
+        assert "tread.thickness must be a number between" in refusals[0]
+        assert widget.value == pytest.approx(10.0)
+        assert controls.value("tread.thickness") == pytest.approx(10e-3)
 
 
-def test_an_emptied_entry_is_refused_and_put_back(controls: Controls, refusals: list[str]) -> None:
-    controls.widgets["loading.rate"].value = None
+def test_several_settings_are_taken_all_or_none(controls: Controls, refusals: list[str]) -> None:
+    controls.change_all({"loading.rate": 0.1, "tread.thickness": -1.0})
+    assert controls.value("loading.rate") == 0.03
     assert len(refusals) == 1
-    assert controls.widgets["loading.rate"].value == pytest.approx(30.0)
 
 
 @pytest.mark.parametrize("name", presets.names())
 def test_a_preset_sets_form_and_scenario_alike(
     controls: Controls, refusals: list[str], name: str
 ) -> None:
-    controls.load(presets.get(name))
+    controls.load(name)
     assert controls.scenario.to_dict() == presets.get(name).to_dict()
     assert refusals == []
+    assert controls.changes() == []
     for path in MAIN:
-        _, parameter = controls.scenario.find(path)
-        part = getattr(controls.scenario, path.partition(".")[0])
-        assert controls.widgets[path].value == getattr(part, parameter.name)
+        assert controls.field(path).root.value == controls.value(path)
 
 
-def test_a_road_that_was_taken_survives_a_preset(controls: Controls) -> None:
-    controls._take_road("/somewhere/road.npy", 1e-5, "um")
-    controls.load(presets.get("adhesion"))
-    assert controls.scenario.road.file == "/somewhere/road.npy"
-    assert controls.scenario.road.pitch == 1e-5
+def test_undo_redo_and_reset_bring_form_preset_and_marks_back(controls: Controls) -> None:
+    controls.load("adhesion")
+    controls.change("loading.rate", 0.2)
+    assert controls.changes() == ["loading.rate"]
+    controls.undo()
+    assert (controls.preset, controls.changes()) == ("adhesion", [])
+    controls.undo()
+    assert controls.preset == "default"
+    controls.redo()
+    controls.redo()
+    assert controls.value("loading.rate") == 0.2
+    assert controls.field("loading.rate").root.differs
+    controls.reset()
+    assert controls.scenario.to_dict() == presets.get("adhesion").to_dict()
+    assert not controls.field("loading.rate").root.differs
+    controls.undo()
+    assert controls.value("loading.rate") == 0.2
+
+
+def test_one_setting_goes_back_to_the_presets_value(controls: Controls) -> None:
+    controls.load("adhesion")
+    controls.change("loading.hold_time", 0.5)
+    controls.change("loading.rate", 0.2)
+    controls.restore("loading.hold_time")
+    assert controls.changes() == ["loading.rate"]
+
+
+def test_a_road_that_was_taken_survives_a_preset_and_not_a_reset(controls: Controls) -> None:
+    road: dict[str, Any] = {
+        "road.pitch": 1e-5, "road.height_unit": "um", "road.size": 0.01,
+        "road.file": "/somewhere/road.npy",
+    }  # fmt: skip
+    controls.take_road(road)
+    controls.load("adhesion")
+    assert {path: controls.value(path) for path in road} == road
+    controls.reset()
+    assert controls.value("road.file") == ""
+    assert controls.value("road.size") == 0.02
+
+
+def test_layers_are_written_as_tables(controls: Controls, refusals: list[str]) -> None:
+    area = controls.field("tread.layers").root
+    area.value = (
+        '[{"thickness": 0.002, "density": 1200, "poissons_ratio": 0.49, '
+        '"material": "nearly-constant-loss", "youngs_modulus": 1e7, "loss_factor": 0.05}]'
+    )
+    assert refusals == []
+    assert controls.value("tread.layers")[0]["thickness"] == 0.002
+    area.value = "no tables"
+    assert len(refusals) == 1
+    assert '"thickness": 0.002' in area.value

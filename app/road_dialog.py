@@ -10,20 +10,22 @@ import panel_material_ui as pmui
 
 from tyrecontact.errors import InputError
 from tyrecontact.parts.road import Road
+from tyrecontact.settings import Count
 
 from .road_reading import Look, square_that_fits
-from .views.road_facts import table
+from .views.road_facts import banner, table
 from .views.road_preview import RoadPreview
 
 #: settings that are asked as numbers: name -> label
 _NUMBERS = {
-    "pitch": "Distance of heights (pitch)",
-    "size": "Side of the patch",
-    "centre_x": "Patch off the middle, x",
-    "centre_y": "Patch off the middle, y",
+    "pitch": "Pitch of the heights",
     "trim_start": "Trim off the start",
     "trim_end": "Trim off the end",
-    "fill_limit": "Largest share to be filled",
+    "size": "Side of the patch",
+    "centre_x": "Off the middle, x",
+    "centre_y": "Off the middle, y",
+    "elements": "Elements along a side",
+    "fill_limit": "Fill at most a share of",
 }
 #: settings that are chosen: name -> label, and words for the values
 _CHOICES: dict[str, tuple[str, dict[str, str]]] = {
@@ -35,6 +37,11 @@ _CHOICES: dict[str, tuple[str, dict[str, str]]] = {
                                         "a road like it in all directions": "isotropic"}),
 }  # fmt: skip
 _OF_PROFILES, _OF_MAPS = ("trim_start", "trim_end", "profile_use"), ("centre_y",)
+#: how fields follow one another: what the file is, then what is used of it
+_ORDER = (
+    "pitch", "height_unit", "height_direction", "levelling", "trim_start", "trim_end",
+    "profile_use", "size", "centre_x", "centre_y", "elements", "fill_limit",
+)  # fmt: skip
 _ASKED = {"pitch": "the distance of its heights (pitch)", "unit": "the unit of its heights"}
 #: settings that the dialog decides on
 SETTINGS = (*_NUMBERS, *_CHOICES)
@@ -64,7 +71,7 @@ class RoadDialog:
         self.fields = {name: _number(name, label) for name, label in _NUMBERS.items()}
         for name, (label, options) in _CHOICES.items():
             self.fields[name] = pmui.Select(label=label, options=options, **_SMALL)
-        self.message = pmui.Alert("", severity="info", margin=(4, 10), sizing_mode="stretch_width")
+        self.message = pn.pane.HTML("", margin=(4, 10), sizing_mode="stretch_width")
         self.facts = pn.pane.HTML("", margin=(4, 10), sizing_mode="stretch_width")
         self.preview = RoadPreview()
         self.busy = pmui.LinearProgress(
@@ -93,7 +100,7 @@ class RoadDialog:
         self._arrange(None)
         self.busy.visible = False
         self.use_button.disabled = True
-        self.message.param.update(severity="error", object=_sentence(sentence))
+        self._say("error", _sentence(sentence))
         self.root.param.update(title=f"Your road: {name}", open=True)
 
     def close(self) -> None:
@@ -106,7 +113,8 @@ class RoadDialog:
         del values["name"]
         for name in _NUMBERS:
             scale = Road.param[name].metadata["shown_in"][1]
-            values[name] = (self.fields[name].value or 0.0) / scale
+            value = self.fields[name].value or 0
+            values[name] = value if name == "elements" else value / scale
         for name in _CHOICES:
             values[name] = self.fields[name].value
         return Road(**values)
@@ -124,8 +132,10 @@ class RoadDialog:
             self.preview.show(look.view, road)
         self._arrange(look)
         self.use_button.disabled = not look.usable
-        severity, text = _verdict(look, road)
-        self.message.param.update(severity=severity, object=text)
+        self._say(*_verdict(look, road))
+
+    def _say(self, kind: str, text: str) -> None:
+        self.message.object = banner(kind, text)
 
     def _offer(self, side: float) -> None:
         self._fresh = False
@@ -139,19 +149,19 @@ class RoadDialog:
             road = self.road()
         except InputError as error:
             self.busy.visible = False
-            self.message.param.update(severity="error", object=_sentence(str(error)))
+            self._say("error", _sentence(str(error)))
             return
         self.busy.visible = True
         if not self.facts.object:
-            self.message.param.update(severity="info", object="Reading the file …")
+            self._say("info", "Reading the file …")
         self.preview.mark(road)
         self._ask(road)
 
     def _fill(self, road: Road) -> None:
         self._loading = True
         for name in _NUMBERS:
-            value = getattr(road, name) * Road.param[name].metadata["shown_in"][1]
-            self.fields[name].value = None if name == "pitch" and not value else value
+            value, scale = getattr(road, name), Road.param[name].metadata["shown_in"][1]
+            self.fields[name].value = value if name == "elements" else value * scale
         for name in _CHOICES:
             self.fields[name].value = getattr(road, name)
         self._loading = False
@@ -167,38 +177,36 @@ class RoadDialog:
             if name == "fill_limit":
                 fits = found is not None and found.missing_share > 0
             field.visible = known and fits and (found is not None or bool(missing))
-        self.fields["pitch"].error_state = "pitch" in missing
+        self.fields["pitch"].param.update(
+            error_state="pitch" in missing,
+            helper_text="must be given" if "pitch" in missing else "0: as in the file",
+        )
         self.fields["height_unit"].error_state = "unit" in missing
         self.preview.root.visible = self.facts.visible = found is not None
 
     def _layout(self) -> pmui.Dialog:
-        left = pmui.Column(self.facts, sizing_mode="stretch_width")
-        right = pmui.Column(self.preview.root, sizing_mode="stretch_width")
-        fields = [pmui.Grid(field, size={"xs": 6, "md": 3}) for field in self.fields.values()]
+        fields = pn.FlexBox(*(self.fields[name] for name in _ORDER), gap="0px", margin=0)
         return pmui.Dialog(
             self.message, self.busy,
             pmui.Grid(
-                pmui.Grid(left, size={"xs": 12, "md": 5}),
-                pmui.Grid(right, size={"xs": 12, "md": 7}),
+                pmui.Grid(self.facts, size={"xs": 12, "md": 5}),
+                pmui.Grid(self.preview.root, size={"xs": 12, "md": 7}),
                 container=True, spacing=1, sizing_mode="stretch_width",
             ),
-            pmui.Grid(*fields, container=True, spacing=0, sizing_mode="stretch_width"),
-            pmui.Row(self.use_button, self.cancel_button),
+            fields,
+            pn.Row(self.use_button, self.cancel_button),
             title="Your road", title_variant="h6", width_option="md", scroll="paper",
             sizing_mode="stretch_width",
         )  # fmt: skip
 
 
-_SMALL: dict[str, Any] = {"size": "small", "sizing_mode": "stretch_width", "margin": (8, 10)}
+_SMALL: dict[str, Any] = {"size": "small", "width": 188, "margin": (8, 8)}
 
 
-def _number(name: str, label: str) -> pmui.FloatInput:
+def _number(name: str, label: str) -> pmui.FloatInput | pmui.IntInput:
     unit = Road.param[name].metadata["shown_in"][0]
-    hint = "as in the file" if name == "pitch" else "0"
-    return pmui.FloatInput(
-        label=f"{label} [{unit}]", description=Road.param[name].doc, value=None, placeholder=hint,
-        **_SMALL,
-    )  # fmt: skip
+    kind = pmui.IntInput if isinstance(Road.param[name], Count) else pmui.FloatInput
+    return kind(label=f"{label} [{unit}]" if unit else label, **_SMALL)
 
 
 def _verdict(look: Look, road: Road) -> tuple[str, str]:

@@ -18,6 +18,7 @@ from .errand import Latest
 from .road_dialog import SETTINGS, RoadDialog
 from .road_reading import Look, Reading
 from .road_upload import Upload
+from .views.road_facts import line
 
 _NONE = "No file: a road is made from the seed."
 #: files of a visitor that are kept, so that undo finds the road before
@@ -66,7 +67,7 @@ class RoadFile:
             self._place, self._say, self._arrived, self._reject, label="Bring a road file",
             uploaded_label="Bring another road file", sizing_mode="stretch_width",
         )  # fmt: skip
-        self.status = pmui.Typography(_NONE, variant="caption", margin=(0, 10))
+        self.status = pn.pane.HTML(line(_NONE), margin=(0, 10), sizing_mode="stretch_width")
         self.change = pmui.Button(label="Change…", size="small", variant="outlined", visible=False)
         self.clear = pmui.Button(
             label="Back to the made road", size="small", variant="outlined", visible=False
@@ -88,7 +89,7 @@ class RoadFile:
         """Say which file is in use after the scenario was changed elsewhere, as by undo."""
         self.file = file
         used = self._used.get(file)
-        self.status.object = used.line if used else _NONE
+        self._say(used.line if used else _NONE)
         self.change.visible = used is not None
         self.clear.visible = bool(file)
 
@@ -120,7 +121,7 @@ class RoadFile:
         return Path(self._folder.name) / f"road-{next(self._numbers)}{ending}"
 
     def _say(self, sentence: str) -> None:
-        self.status.object = sentence
+        self.status.object = line(sentence)
 
     def _arrived(self, path: Path, name: str) -> None:
         self.show(self.file)
@@ -132,7 +133,7 @@ class RoadFile:
         """A file that was not even taken."""
         self.show(self.file)
         self._open().refuse(name, sentence)
-        self.status.object = f"Not used: {sentence}."
+        self._say(f"Not used: {sentence}.")
         self._refuse(sentence)
 
     def _begin(self, path: Path, name: str, road: Road, fresh: bool) -> None:
@@ -156,7 +157,7 @@ class RoadFile:
         self._look = look
         self._open().show(look, road)
         if look.refusal and look.found is None:
-            self.status.object = f"Not used: {look.refusal}."
+            self._say(f"Not used: {look.refusal}.")
             self._refuse(look.refusal)
 
     def use(self) -> None:
@@ -166,9 +167,8 @@ class RoadFile:
             return
         assert look.found is not None
         road, file = dialog.road(), str(reading.path)
-        line = f"{look.name}: {look.found.sentence()}"
         self._used.pop(file, None)
-        self._used[file] = _InUse(look.name, road, line)
+        self._used[file] = _InUse(look.name, road, f"{look.name}: {look.found.sentence()}")
         while len(self._used) > _KEPT:
             oldest = next(iter(self._used))
             del self._used[oldest]

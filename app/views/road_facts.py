@@ -10,6 +10,10 @@ from tyrecontact.road.understood import Understood
 from .headline import three_digits
 
 _ORIGIN = {"file": "from the file", "given": "given by you"}
+_BANNERS = {
+    "success": ("✓", "#009E73"), "info": ("…", "#0072B2"),
+    "warning": ("⚠", "#E69F00"), "error": ("✕", "#D55E00"),
+}  # fmt: skip
 _UNIT = {"um": "µm"}
 _ROW = (
     '<tr><th scope="row" style="text-align:left;font-weight:400;padding:1px 12px 1px 0;'
@@ -44,16 +48,30 @@ def facts(found: Understood) -> list[tuple[str, str]]:
 
 
 def table(found: Understood) -> str:
-    """The facts, what was done to the heights, and what looks wrong, as HTML."""
+    """The facts and what was done to the heights, as HTML."""
     rows = "".join(_ROW.format(name, escape(value)) for name, value in facts(found))
-    told = [_sentence(clause) for clause in found.done]
-    doubts = [f"⚠ {_sentence(doubt)}" for doubt in found.doubts]
-    listed = "".join(f"<li>{escape(text)}</li>" for text in (*doubts, *told))
+    listed = "".join(f"<li>{escape(_sentence(clause))}</li>" for clause in found.done)
     return (
         '<div style="font-size:13px;line-height:1.45;color:currentColor">'
         f'<table style="border-collapse:collapse">{rows}</table>'
         f'<ul style="margin:6px 0 0;padding-left:18px">{listed}</ul></div>'
     )
+
+
+def banner(kind: str, text: str) -> str:
+    """A sentence that is "success", "info", "warning" or "error" (told by a sign, too), as HTML."""
+    sign, color = _BANNERS[kind]
+    return (
+        f'<div role="status" style="border-left:5px solid {color};border-radius:4px;'
+        "padding:8px 12px;font-size:14px;line-height:1.4;"
+        f'background:color-mix(in srgb, {color} 12%, transparent)">'
+        f'<span aria-hidden="true">{sign}</span> {escape(text)}</div>'
+    )
+
+
+def line(text: str) -> str:
+    """A small line on a file, as HTML: a visitor's file name may hold anything."""
+    return f'<div role="status" style="font-size:12px;line-height:1.4">{escape(text)}</div>'
 
 
 def _share(missing: float) -> str:

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 import panel as pn
-from bokeh.models import BoxAnnotation, ColorBar, ColumnDataSource, LinearColorMapper
+from bokeh.models import BoxAnnotation, ColorBar, ColumnDataSource, LinearColorMapper, Range1d
 from bokeh.palettes import Cividis256
 from bokeh.plotting import figure
 
 from tyrecontact.parts.road import Road
 from tyrecontact.road.overview import Overview
 
-from .style import BLUE, DESK, GREY, VERMILION, hover
+from .style import DESK, GREY, VERMILION, hover
 
 #: of the drawing [px]
 HEIGHT = 330
+#: of a profile: readable on white and on a dark dialog
+_LINE = "#2B8CC4"
 #: where nothing was measured
 _NOTHING = "#9AA0A859"
 
@@ -104,14 +106,15 @@ class LinePreview:
     """Attributes: `figure`, its `pane`; `curve`; the marks `start`, `end` and `patch`."""
 
     def __init__(self) -> None:
-        self.curve = ColumnDataSource({"place": [], "height": []})
+        self.curve = ColumnDataSource({"place": np.empty(0), "height": np.empty(0)})
         self.figure = _figure("From the start of the file [mm]", "Height [µm]")
-        self.figure.line("place", "height", source=self.curve, line_color=BLUE, line_width=1.2)
+        self.figure.y_range = Range1d(0, 1)
+        self.figure.line("place", "height", source=self.curve, line_color=_LINE, line_width=1.2)
         off = {"fill_color": GREY, "fill_alpha": 0.25, "hatch_pattern": "/", "hatch_alpha": 0.5,
                "hatch_color": GREY, "line_color": None}  # fmt: skip
         self.start, self.end = BoxAnnotation(**off), BoxAnnotation(**off)
         self.patch = BoxAnnotation(
-            fill_color=None, line_color=VERMILION, line_width=2.5, level="overlay"
+            fill_color=VERMILION, fill_alpha=0.15, line_color=VERMILION, line_width=2.5
         )
         for box in (self.start, self.end, self.patch):
             self.figure.add_layout(box)
@@ -126,6 +129,7 @@ class LinePreview:
     def mark(self, road: Road) -> None:
         """What is trimmed off, and what of the rest the patch takes."""
         first, last = road.trim_start * 1e3, self._length - road.trim_end * 1e3
+        self._scale(first, last)
         self.start.update(left=0.0, right=first, visible=first > 0)
         self.end.update(left=last, right=self._length, visible=last < self._length)
         middle, half = (first + last) / 2 + road.centre_x * 1e3, road.size * 5e2
@@ -135,13 +139,22 @@ class LinePreview:
         )
         self.figure.title.text = "The whole file; box: what is used, hatched: trimmed off"
 
+    def _scale(self, first: float, last: float) -> None:
+        """Heights from the lowest to the highest of what is kept: a reference plate is none."""
+        place, height = self.curve.data["place"], self.curve.data["height"]
+        kept = height[(place >= first) & (place <= last) & np.isfinite(height)]
+        if kept.size:
+            margin = 0.08 * float(np.ptp(kept)) or 1.0
+            low, high = float(kept.min()) - margin, float(kept.max()) + margin
+            self.figure.y_range.update(start=low, end=high)
+
 
 def _figure(x_label: str, y_label: str) -> figure:
     fig = figure(
         title="", x_axis_label=x_label, y_axis_label=y_label, height=HEIGHT,
         sizing_mode="stretch_width", tools="pan,box_zoom,wheel_zoom,reset,save", active_drag=None,
         active_scroll=None, toolbar_location="above", output_backend="canvas", min_border_left=64,
-        min_border_right=16,
+        min_border_right=16, background_fill_alpha=0, border_fill_alpha=0,
     )  # fmt: skip
     fig.toolbar.logo = None
     fig.toolbar.autohide = True

@@ -85,7 +85,7 @@ class KernelInput:
             }
         limit = "none: unconditionally stable"
         if np.isfinite(self.critical):
-            limit = f"{three_digits(self.critical)} N/m"
+            limit = f"{three_digits(self.critical / 1e3)} kN/m"
         return facts | {"Critical stiffness": limit}
 
     def sheet(self) -> Sheet:
@@ -109,7 +109,7 @@ class KernelInput:
             return "No springs, however stiff, make its time stepping unstable."
         return (
             "With all elements in contact, time stepping may become unstable once their springs "
-            f"are stiffer than {three_digits(self.critical)} N/m each."
+            f"are stiffer than {three_digits(self.critical / 1e3)} kN/m each."
         )
 
     def draw_impulse(self, place: str, size: Size) -> Any:
@@ -141,7 +141,9 @@ class KernelInput:
             x, y = thinned(time, kernel.values[:, row, column].cumsum() * 1e6)
             curve = hv.Curve((x, y), _TIME, label, label=place)
             drawn.append(curve.opts(color=color, line_dash=dash, line_width=1.8))
-        return _plot(hv.Overlay(drawn), "Under a force that stays", size)
+        # the first curve lies about three times as high as the others: between them is room
+        placed = hv.Overlay(drawn).opts(legend_opts={"location": "center_right"})
+        return _plot(placed, "Under a force that stays", size)
 
     def draw_distance(self, size: Size) -> Any:
         """Displacement at rest, along a row of elements."""

@@ -100,8 +100,8 @@ class RoadInput:
             bounds=(0, 0, self.side, self.side),
         ).opts(
             cmap="cividis", clim=(low, high), colorbar=True, colorbar_position="bottom",
-            colorbar_opts={"title": f"{label}; darkest: {three_digits(low)} and below",
-                           "title_text_font_style": "normal", "height": 12, "width": "auto",
+            clabel=f"{label}; darkest: {three_digits(low)} and below",
+            colorbar_opts={"title_text_font_style": "normal", "height": 12, "width": "auto",
                            "background_fill_alpha": 0},
             tools=["hover"], title=title, backend_opts=self._square_with_lattice(),
         )  # fmt: skip

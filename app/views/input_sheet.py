@@ -25,10 +25,12 @@ STYLE = """
 .facts > div { min-width: 0; }
 dt { font-size: 0.86em; color: var(--muted); }
 dd { margin: 0 0 4px; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
-p { margin: 6px 0 0; line-height: 1.45; max-width: 90ch; }
+p { margin: 6px 0 0; line-height: 1.45; max-width: 110ch; }
 .state { font-weight: 600; }
 .empty { padding: 24px 0; }
 """
+
+_WRAP = ":host { flex-wrap: wrap; align-items: flex-start; }"
 
 
 @dataclass(frozen=True)
@@ -81,6 +83,9 @@ def square(plot: Any, size: Size) -> Any:
     return beside(plot, size)
 
 
-def grid() -> pn.FlexBox:
-    """Where plots stand, side by side as far as they fit."""
-    return pn.FlexBox(sizing_mode="stretch_width", align_items="flex-start", margin=0)
+def grid() -> pn.Row:
+    """Where plots stand, side by side as far as they fit.
+
+    No FlexBox: the page's theme does not reach what is put into one later.
+    """
+    return pn.Row(sizing_mode="stretch_width", stylesheets=[_WRAP], margin=0)

@@ -49,10 +49,10 @@ class SpringsInput:
     Attributes
     ----------
     compression [µm] : shape (points,), above 0.
-    force [N], stiffness [MN/m] : shape (springs, points), as they were read off the road.
+    force [N], stiffness [kN/m] : shape (springs, points), as they were read off the road.
     element : (row, column) of each of those. exchanged : which of them are used no more.
     apart : what is drawn apart, (force, stiffness) as above, and `apart_label` its name.
-    ranked : stiffness [MN/m] of all springs at the compression `at` [µm] at which they are ranked,
+    ranked : stiffness [kN/m] of all springs at the compression `at` [µm] at which they are ranked,
     swapped : which of those are exchanged.
     """
 
@@ -89,7 +89,7 @@ class SpringsInput:
             exchanged=swapped[chosen],
             apart=_curves(simulation.springs if simplified else read, apart, depth),
             apart_label=_USED.get(settings.simplification, "the median spring"),
-            ranked=read.stiffness(here) / 1e6,
+            ranked=read.stiffness(here) / 1e3,
             swapped=swapped,
             at=at * 1e6,
         )
@@ -98,7 +98,7 @@ class SpringsInput:
     def facts(self) -> dict[str, str]:
         """Name -> value with unit."""
         median, low, high = (
-            f"{three_digits(float(np.quantile(self.ranked, share)))} MN/m" for share in (0.5, 0, 1)
+            f"{three_digits(float(np.quantile(self.ranked, share)))} kN/m" for share in (0.5, 0, 1)
         )
         count, exchanged = self.ranked.size, int(self.swapped.sum())
         at = f"{three_digits(self.at)} µm"
@@ -121,14 +121,14 @@ class SpringsInput:
             )
         force = partial(self._draw_curves, "Spring force", "Force [N]", self.force, self.apart[0])
         stiffness = partial(
-            self._draw_curves, "Spring stiffness", "Stiffness [MN/m]", self.stiffness, self.apart[1]
+            self._draw_curves, "Spring stiffness", "Stiffness [kN/m]", self.stiffness, self.apart[1]
         )
         return Sheet(self.facts, _CAPTION + ends, (force, stiffness, self.draw_spread))
 
     def _draw_curves(
         self, title: str, label: str, values: np.ndarray, apart: np.ndarray, size: Size
     ) -> Any:
-        fig = _log_plot(title, label, _window(values), height(size))
+        fig = _log_plot(title, label, self.compression[-1], _window(values), height(size))
         kept = self._lines(fig, values, ~self.exchanged, "as read", GREY, "solid", 0.4)
         hovered = [kept]
         if self.exchanged.any():
@@ -165,7 +165,7 @@ class SpringsInput:
     def draw_spread(self, size: Size) -> Any:
         """How many springs are how stiff where they are ranked."""
         edges = _bins(self.ranked)
-        axes = f"Stiffness at {three_digits(self.at)} µm [MN/m]", "Number of springs"
+        axes = f"Stiffness at {three_digits(self.at)} µm [kN/m]", "Number of springs"
         drawn = _bars(edges, self.ranked, "all", axes).opts(
             fill_color=GREY, line_color=GREY, fill_alpha=0.5
         )
@@ -174,7 +174,8 @@ class SpringsInput:
             drawn *= exchanged.opts(
                 fill_color=VERMILION, line_color=VERMILION, fill_alpha=0.5, line_dash="dashed"
             )
-        drawn = drawn.opts(logx=True, title="Spread of the springs")
+        most = int(np.histogram(self.ranked, edges)[0].max())
+        drawn = drawn.opts(logx=True, title="Spread of the springs", ylim=(0, 1.4 * most))
         return beside(rest.pane(drawn, size, height(size)), size)
 
 
@@ -201,10 +202,10 @@ def _spread(order: np.ndarray, most: int) -> np.ndarray:
 def _curves(
     springs: Springs, chosen: np.ndarray, depth: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Force [N] and stiffness [MN/m] of chosen springs, shape (springs, points)."""
+    """Force [N] and stiffness [kN/m] of chosen springs, shape (springs, points)."""
     some = springs.take(chosen)
     at = np.repeat(depth[:, None], chosen.size, axis=1)
-    return some.force(at).T, some.stiffness(at).T / 1e6
+    return some.force(at).T, some.stiffness(at).T / 1e3
 
 
 def _window(values: np.ndarray) -> tuple[float, float]:
@@ -219,11 +220,14 @@ def _bins(values: np.ndarray) -> np.ndarray:
     return np.geomspace(max(low, 1e-9), max(high, 2e-9), 41)
 
 
-def _log_plot(title: str, label: str, window: tuple[float, float], tall: int) -> figure:
+def _log_plot(
+    title: str, label: str, reach: float, window: tuple[float, float], tall: int
+) -> figure:
     """A quiet figure with a logarithmic vertical axis."""
     fig = figure(
-        title=title, x_axis_label="Compression [µm]", y_axis_label=label, y_range=window,
-        y_axis_type="log", height=tall, sizing_mode="stretch_width", output_backend="canvas",
+        title=title, x_axis_label="Compression [µm]", y_axis_label=label,
+        x_range=(0, reach), y_range=window, y_axis_type="log", height=tall,
+        sizing_mode="stretch_width", output_backend="canvas",
         tools="pan,box_zoom,reset,save", active_drag=None, toolbar_location="above",
         min_border_left=64, min_border_right=16,
     )  # fmt: skip

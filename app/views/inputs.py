@@ -82,8 +82,7 @@ class InputsView:
         self._waiting: deque[Callable[[Size], Any]] = deque()
         self.worker = Latest(self._answered)
         self.choice = pmui.RadioButtonGroup(
-            label="Part of the inputs", options=list(PARTS), value="Road", size="small",
-            margin=(8, 8),
+            options=list(PARTS), value="Road", size="small", margin=(8, 8),
         )  # fmt: skip
         self.text = pn.pane.HTML(
             "", stylesheets=[input_sheet.STYLE], sizing_mode="stretch_width", margin=(4, 8)
@@ -154,7 +153,7 @@ class InputsView:
     def _ask(self, subject: _Subject, name: str) -> None:
         what = f"Preparing the {name.lower()} …"
         if self._drawn is not None and self._drawn[1] == name and self._shown is not None:
-            self._write(f"{what} Below are those of the settings before.")
+            self._write(f"{what} Below is what it was before the change.")
         else:
             self._say(what)
         if self._asked != (subject, name):

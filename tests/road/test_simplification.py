@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tyrecontact.errors import InputError
+from tyrecontact.road.simplification import exchange_index
 from tyrecontact.road.springs import (
     Springs,
     exchange_stiffest,
@@ -45,6 +46,13 @@ def test_the_stiffest_springs_get_the_next(springs: Springs, ranking: str) -> No
             before = getattr(springs, name)(at(springs, delta))
             after = getattr(exchanged, name)(at(springs, delta))
             np.testing.assert_array_equal(after[order], before[source])
+
+
+def test_who_is_exchanged_for_whom(springs: Springs) -> None:
+    index = exchange_index(springs, 5, 9e-6)
+    ranking = np.argsort(-springs.force(at(springs, 9e-6)))
+    assert set(np.flatnonzero(index != np.arange(COUNT))) == set(ranking[:5])
+    np.testing.assert_array_equal(index[ranking[:5]], ranking[5:10])
 
 
 def test_the_compression_decides_on_the_ranking(springs: Springs) -> None:

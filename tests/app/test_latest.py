@@ -1,0 +1,78 @@
+"""Of several questions only the last is answered, and a thread ends with them."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+from app.latest import Latest
+from tyrecontact.errors import InputError
+
+
+def test_the_answer_is_there_when_it_is_taken() -> None:
+    woken = threading.Event()
+    latest = Latest(woken.set)
+    assert latest.take() is None
+    latest.ask(lambda _: 7)
+    assert latest.join(10)
+    assert woken.is_set()
+    assert latest.take() == (7, "")
+    assert latest.take() is None
+
+
+def test_a_later_question_takes_the_place_of_those_before() -> None:
+    begun, go, answered = threading.Event(), threading.Event(), []
+    latest = Latest(lambda: answered.append(1))
+
+    def slow(wanted: Callable[[], bool]) -> str:
+        begun.set()
+        assert go.wait(10)
+        return "still wanted" if wanted() else "not wanted"
+
+    latest.ask(slow)
+    assert begun.wait(10)
+    latest.ask(lambda _: "second")
+    latest.ask(lambda _: "third")
+    go.set()
+    assert latest.join(10)
+    assert latest.take() == ("third", "")
+    assert len(answered) == 1
+
+
+def test_a_refusal_is_one_sentence() -> None:
+    latest = Latest(lambda: None)
+
+    def refused(_: Callable[[], bool]) -> None:
+        raise InputError("pitch must be positive, got 0 m")
+
+    def broken(_: Callable[[], bool]) -> None:
+        raise RuntimeError("lost")
+
+    latest.ask(refused)
+    latest.join(10)
+    assert latest.take() == (None, "pitch must be positive, got 0 m")
+    latest.ask(broken)
+    latest.join(10)
+    answer = latest.take()
+    assert answer is not None
+    assert "RuntimeError('lost')" in answer[1]
+
+
+def test_after_the_close_nobody_is_woken_and_nothing_begins() -> None:
+    begun, go, woken = threading.Event(), threading.Event(), []
+    latest = Latest(lambda: woken.append(1))
+    found = []
+
+    def slow(wanted: Callable[[], bool]) -> None:
+        begun.set()
+        assert go.wait(10)
+        found.append(wanted())
+
+    latest.ask(slow)
+    assert begun.wait(10)
+    latest.close()
+    go.set()
+    assert latest.join(10)
+    latest.ask(slow)
+    assert latest.join(10)
+    assert (woken, found, latest.take()) == ([], [False], None)

@@ -111,10 +111,11 @@ class Controls:
                 trial.set(path, value)
         except InputError as error:
             self._refuse(str(error))
-        else:
-            for path in values:
-                self.scenario.set(path, getattr(trial.find(path)[0], path.partition(".")[2]))
-            self.history.add(self._state(), ",".join(values))
+            self._show(values)
+            return
+        for path in values:
+            self.scenario.set(path, getattr(trial.find(path)[0], path.partition(".")[2]))
+        self.history.add(self._state(), ",".join(values))
         self._show(values)
         self._tell(values)
 

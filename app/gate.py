@@ -116,6 +116,10 @@ class Gate:
         """Whether the run is to end before its next step."""
         return self._stopped or self.is_out_of_time
 
+    def goes_on(self) -> None:
+        """Say so; a single step is too short for the controls to show it."""
+        self._say(Phase.PAUSED if self._paused else Phase.RUNNING)
+
     def lets_through(self) -> bool:
         """Wait until the next step is due; False if the run is to end instead."""
         self._pace.end(time.monotonic())
@@ -161,8 +165,7 @@ class Gate:
             self.queue()
             self.admits()
         self._since = time.monotonic()
-        # a single step is too short for the controls to show it
-        self._say(Phase.PAUSED if self._paused else Phase.RUNNING)
+        self.goes_on()
 
     def _sleep(self, seconds: float | None = None) -> None:
         """Until something has changed; whoever calls looks again."""

@@ -12,10 +12,9 @@ from collections.abc import Callable
 from tyrecontact import Results, Scenario, Simulation
 from tyrecontact.errors import TyreContactError
 from tyrecontact.results import STOPPED, Record
-from tyrecontact.reuse import hand_on
 
-from . import baseline
 from .baseline import Baseline
+from .computation import Computation
 from .gate import Gate
 from .limits import Limits
 from .pace import Pace
@@ -64,17 +63,26 @@ class Run:
     ) -> None:
         self.scenario = scenario.copy()
         self.phase = Phase.WAITING
-        self.simulation: Simulation | None = None
-        self.record: Record | None = None
-        self.baseline: Baseline | None = None
         self.message = ""
-        self._after = after
-        self._made: Simulation | None = None  # or that of the run before: its parts are used again
-        self._baseline_first, self._limits = baseline_first, limits or Limits()
+        self._after, self._baseline_first = after, baseline_first
+        self._limits = limits or Limits()
         self._pace = Pace(duration)
         self._gate = Gate(self._say, self._pace, slots or Slots(), self._limits.seconds, paused)
+        self._computation = Computation(self.scenario, self._gate, self._pace, self._limits)
         self._at_end: list[Callable[[], None]] = []
         self._thread = threading.Thread(target=self._work, name="tyrecontact-run", daemon=True)
+
+    @property
+    def simulation(self) -> Simulation | None:
+        return self._computation.simulation
+
+    @property
+    def record(self) -> Record | None:
+        return self._computation.record
+
+    @property
+    def baseline(self) -> Baseline | None:
+        return self._computation.baseline
 
     @property
     def duration(self) -> float:
@@ -93,8 +101,8 @@ class Run:
 
     @property
     def paused(self) -> bool:
-        """Asked to pause, and not at its end; `phase` is PAUSED as soon as it does."""
-        return self._gate.paused and not self.phase.ended
+        """Asked to pause, with steps to come; `phase` is PAUSED as soon as it does."""
+        return self._gate.paused and not (self.phase.ended or self.phase is Phase.COMPARING)
 
     @property
     def place(self) -> int:
@@ -115,13 +123,16 @@ class Run:
         return self._pace.time_left(self.record.count)
 
     def start(self) -> None:
+        """Begin, once; a run that this one supersedes is stopped, and hands its place on."""
+        if self._thread.ident is not None:
+            raise RuntimeError("a run starts only once")
         after = self._after
         self._gate.queue(None if after is None else after._gate)
         if after is not None:
             after.stop()
         try:
             self._thread.start()
-        except RuntimeError:  # no more threads, or started before
+        except RuntimeError:  # there are no more threads
             self._gate.leave()
             raise
 
@@ -169,13 +180,14 @@ class Run:
             self.phase = end
             for tell in list(self._at_end):
                 tell()
+            self._at_end.clear()  # a run that is kept keeps no other alive
 
     def _go(self) -> Phase:
         """From the first wait to the last step; how it ended."""
         if not (self._succeeds() and self._gate.admits()):
             return Phase.STOPPED
         self.phase = Phase.PREPARING
-        if self._prepare() and self._solve():
+        if self._computation.prepare(self._baseline_first) and self._computation.solve():
             self._compare()
             return Phase.FINISHED
         if not self._gate.stopped:
@@ -192,59 +204,24 @@ class Run:
         """Wait for the run that this one supersedes, and for those that it had to wait for."""
         while self._after is not None:
             before = self._after
-            if not self._gate.wait_for(before._has_ended_or_tells(self._gate.wake)):
+            if not before._is_over():
+                before._at_end.append(self._gate.wake)
+            if not self._gate.wait_for(before._is_over):
                 return False
-            self._made = self._made or before._made
+            self._computation.made = self._computation.made or before._computation.made
             self._after = before._after
         return True
 
-    def _has_ended_or_tells(self, tell: Callable[[], None]) -> Callable[[], bool]:
-        """Whether it has ended, or never began; `tell` is called when it has ended."""
-        self._at_end.append(tell)
-        return lambda: self.phase.ended or self._thread.ident is None
-
-    def _prepare(self) -> bool:
-        """Make what the loop needs; False where the run is to end instead."""
-        simulation = Simulation(self.scenario)
-        self._limits.check(simulation)
-        if self._made is not None:
-            hand_on(self._made, simulation)
-        self._made = simulation
-        for part in ("patch", "springs", "kernel", "bodies", "margin"):
-            if self._gate.is_closed:
-                return False
-            getattr(simulation, part)
-        found = baseline.kept(simulation)
-        if found is None and self._baseline_first:
-            found = baseline.made(simulation, lambda: self._gate.is_closed)
-            if found is None:
-                return False
-        memory = simulation.scenario.numerics.field_memory
-        self.record = Record(len(simulation), simulation.bodies.kernel.shape, memory)
-        self.baseline, self.simulation = found, simulation
-        return True
-
-    def _solve(self) -> bool:
-        """The loop; False where the run is to end before its last step."""
-        assert self.simulation is not None
-        assert self.record is not None
-        steps, total = iter(self.simulation), len(self.simulation)
-        self._pace.steps = total
-        self._say(Phase.PAUSED if self._gate.paused else Phase.RUNNING)
-        while self._gate.lets_through():
-            step = next(steps)
-            self.record.append(step)
-            if step.stop_reason or self.record.count == total:
-                return True
-        return False
+    def _is_over(self) -> bool:
+        """Whether it has ended, or never began."""
+        return self.phase.ended or self._thread.ident is None
 
     def _compare(self) -> None:
         """Make the baseline where it is still missing; all steps are there, with or without."""
-        assert self.simulation is not None
         if self.baseline is not None or self._gate.is_closed:
             return
         self.phase = Phase.COMPARING
         try:
-            self.baseline = baseline.made(self.simulation, lambda: self._gate.is_closed)
+            self._computation.compare()
         except (TyreContactError, MemoryError) as error:
             self.message = f"no quasi-static run to compare with: {error}"

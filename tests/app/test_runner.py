@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 import time
+import weakref
 from collections.abc import Callable
 from types import SimpleNamespace
 
@@ -247,3 +249,19 @@ def test_a_duration_is_a_time(small: Scenario, finished: Run, duration: float) -
         Run(small, duration)
     with pytest.raises(InputError):
         finished.duration = duration
+
+
+def test_a_run_starts_once(finished: Run) -> None:
+    with pytest.raises(RuntimeError, match="starts only once"):
+        finished.start()
+    assert finished.phase is Phase.FINISHED
+
+
+def test_a_run_that_is_kept_keeps_no_other_alive(finished: Run, small: Scenario) -> None:
+    later = Run(small, after=finished)
+    later.start()
+    assert later.join(60)
+    gone = weakref.ref(later)
+    del later
+    gc.collect()
+    assert gone() is None

@@ -141,7 +141,11 @@ def test_pause_step_go_on_and_stop(session: Session) -> None:
 
 def test_keys_do_what_the_buttons_do(session: Session) -> None:
     session.whatif.pace.value = "in about 20 s"
-    for key, phase in (("Space", Phase.RUNNING), ("Space", Phase.PAUSED), ("Escape", Phase.STOPPED)):
+    for key, phase in (
+        ("Space", Phase.RUNNING),
+        ("Space", Phase.PAUSED),
+        ("Escape", Phase.STOPPED),
+    ):
         session.browser.on_key(key)
         limit = time.monotonic() + 30
         while session.run.phase is not phase:

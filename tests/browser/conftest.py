@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -13,32 +14,23 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, sync_playwright
+
+from tests.browser.chromium import ARGUMENTS, NAMES
 
 _ROOT = Path(__file__).parents[2]
-_NAMES = ("chromium", "chromium-browser", "google-chrome")
-_ARGUMENTS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
     """The system's Chromium."""
-    path = next(filter(None, map(shutil.which, _NAMES)), None)
+    path = next(filter(None, map(shutil.which, NAMES)), None)
     if path is None:
         if os.environ.get("TYRECONTACT_REQUIRE_BROWSER"):
             pytest.fail("TYRECONTACT_REQUIRE_BROWSER is set, but there is no Chromium on PATH")
         pytest.skip("no Chromium on PATH: install Debian's package chromium to run this test")
     with sync_playwright() as playwright:
-        started = playwright.chromium.launch(executable_path=path, args=_ARGUMENTS)
+        started = playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
         yield started
         started.close()
 
@@ -94,11 +86,32 @@ class Visit:
         if message.type == "error":  # type: ignore[attr-defined]
             self.complaints.append(message.text)  # type: ignore[attr-defined]
 
+    def button(self, name: str) -> Locator:
+        """A button by the beginning of its name: "Stop" is "Stop (Esc)"."""
+        return self.tab.get_by_role("button", name=re.compile(f"^{name}( |$)"))
+
     def press(self, name: str) -> None:
-        self.tab.get_by_role("button", name=name, exact=True).click()
+        self.button(name).first.click()
 
     def choose_preset(self, name: str) -> None:
-        self.tab.get_by_role("combobox", name="Preset").click()
+        self.tab.locator("header").get_by_role("button", name="default", exact=True).click()
+        self.tab.get_by_role("button", name=re.compile(f"^{name}\\b")).first.click()
+        self.tab.locator("header").get_by_role("button", name=name, exact=True).wait_for()
+
+    def open(self, tab: str) -> None:
+        self.tab.get_by_role("tab", name=tab, exact=True).click()
+
+    def set(self, label: str, value: str) -> None:
+        """Write a number into the entry of a setting, or choose."""
+        field = self.tab.get_by_label(label, exact=True)
+        if field.evaluate("node => node.tagName") == "SELECT":
+            field.select_option(value)
+        else:
+            field.fill(value)
+            field.press("Enter")
+
+    def choose_pace(self, name: str) -> None:
+        self.tab.get_by_role("combobox", name="Pace of a run").click()
         self.tab.get_by_role("menuitem", name=name, exact=True).click()
 
     def sentence(self) -> str:
@@ -109,10 +122,10 @@ class Visit:
         script = "([s, c]) => Array.from(Bokeh.documents[0].get_model_by_name(s).data[c])"
         return self.tab.evaluate(script, [source, name])
 
-    def map_forces(self) -> list[float | None]:
-        """The image of the contact map, flat; None where nothing is pressed."""
+    def map_values(self) -> list[float | None]:
+        """The image of the contact map, flat; None where nothing is to be seen."""
         script = """() => {
-            const image = Bokeh.documents[0].get_model_by_name('map').data.force[0]
+            const image = Bokeh.documents[0].get_model_by_name('map').data.value[0]
             return image === undefined ? [] : Array.from(image.flat ? image.flat() : image)
         }"""
         return self.tab.evaluate(script)

@@ -12,9 +12,11 @@ from weakref import WeakSet
 import panel as pn
 import panel_material_ui as pmui
 import pytest
+from bokeh.document import Document
 from playwright.sync_api import Browser, BrowserContext
 
-from app.page import Session
+from app.page import lay_out
+from app.session import Session
 
 #: those that somebody still holds
 _sessions: WeakSet[Session] = WeakSet()
@@ -23,7 +25,7 @@ _sessions: WeakSet[Session] = WeakSet()
 def _build() -> pmui.Page:
     session = Session()
     _sessions.add(session)
-    return session.root
+    return lay_out(session)
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +74,7 @@ def _wait_for(condition: Callable[[], bool], seconds: float) -> bool:
 def test_closing_the_tab_ends_the_run(visitor: BrowserContext, address: str) -> None:
     tab = visitor.new_page()
     tab.goto(address)
-    tab.get_by_role("combobox", name="Pace").click()
+    tab.get_by_role("combobox", name="Pace of a run").click()
     tab.get_by_role("menuitem", name="in about 20 s").click()
     tab.get_by_role("button", name="Run", exact=True).click()
     tab.get_by_role("status").filter(has_text="Step ").wait_for(timeout=60_000)
@@ -82,13 +84,17 @@ def test_closing_the_tab_ends_the_run(visitor: BrowserContext, address: str) -> 
     assert _wait_for(lambda: _running() == 0, 8)
 
 
-def test_visits_leave_no_document_and_no_session_behind(
+def test_twenty_visits_leave_no_document_session_or_thread_behind(
     visitor: BrowserContext, address: str
 ) -> None:
-    for _ in range(4):
+    threads = threading.active_count()
+    for number in range(20):
         tab = visitor.new_page()
         tab.goto(address)
         tab.get_by_role("status").wait_for(timeout=60_000)
+        if number % 5 == 0:
+            tab.get_by_role("button", name="Run", exact=True).click()
+            tab.get_by_role("tab", name="Inputs").click()
         tab.close()
 
     def sessions() -> int:
@@ -97,3 +103,10 @@ def test_visits_leave_no_document_and_no_session_behind(
 
     # the last visit may still be on its way out
     assert _wait_for(lambda: sessions() <= 1, 20), sessions()
+    assert _wait_for(lambda: _documents() <= 1, 20), _documents()
+    assert _wait_for(lambda: threading.active_count() <= threads, 20), threading.enumerate()
+
+
+def _documents() -> int:
+    gc.collect()
+    return sum(isinstance(thing, Document) for thing in gc.get_objects())

@@ -55,7 +55,7 @@ def report(folder: Path) -> str:
     """
     try:
         record = json.loads((folder / "thesis.json").read_text(encoding="utf-8"))
-        families = {entry["name"]: _panels(folder, entry) for entry in record["figures"]}
+        families = {entry["name"]: panels_of(folder, entry) for entry in record["figures"]}
     except (OSError, ValueError, KeyError) as error:
         raise InputError(
             f"DIR must be a folder written by `tyrecontact thesis --output DIR`, got {folder}: "
@@ -74,8 +74,8 @@ def report(folder: Path) -> str:
     return _page(record, "\n".join(sections), script)
 
 
-def _panels(folder: Path, entry: Mapping[str, Any]) -> list[Panel]:
-    """What is drawn of a figure."""
+def panels_of(folder: Path, entry: Mapping[str, Any]) -> list[Panel]:
+    """What is drawn of a figure, an entry of thesis.json, from its runs in a folder."""
     name = entry["name"]
     if name in _CURVES:
         with xr.open_dataset(folder / entry["runs"][""]) as dataset:

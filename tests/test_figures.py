@@ -32,6 +32,14 @@ def test_every_member_can_be_run_and_is_a_preset(figure: figures.Figure) -> None
     assert presets.get(figure.name).to_dict() == family[figure.main].to_dict()
 
 
+def test_every_figure_says_its_chapter() -> None:
+    for found in figures.FIGURES.values():
+        assert bool(found.source) == bool(found.numbers)
+        assert found.source.startswith("Fig") == bool(found.numbers)
+    assert figures.find("22").source == "Fig. 22, chapter 4.2.1"
+    assert figures.find("28").source == "Figs. 27-29, chapter 4.2.4"
+
+
 def test_a_figure_is_found_by_any_of_its_numbers() -> None:
     names = ("fig-24-26", "fig-25", "25")
     assert {figures.find(name).name for name in names} == {"fig-24-26"}

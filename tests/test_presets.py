@@ -45,13 +45,22 @@ def test_presets_are_new_each_time_and_told_in_a_line() -> None:
         assert "\n" not in presets.caption(name)
 
 
+def test_a_preset_tells_where_in_the_thesis_it_is_from() -> None:
+    sources = {name: presets.source(name) for name in presets.names()}
+    assert sources["thesis-instability"] == sources["fig-19"] == "Fig. 19, chapter 4.1"
+    assert presets.source("fig-44/14-N") == "Fig. 44, chapter 5.3"
+    assert [name for name, found in sources.items() if not found] == [
+        "default", "road-iso-10844", "road-sma-11", "road-dac-16",
+    ]  # fmt: skip
+
+
 def test_presets_differ() -> None:
     scenarios = [presets.get(name).to_dict() for name in presets.PRESETS]
     assert all(one not in scenarios[:place] for place, one in enumerate(scenarios))
     assert presets.get("default").to_dict() == Scenario().to_dict()
 
 
-@pytest.mark.parametrize("call", [presets.get, presets.caption])
+@pytest.mark.parametrize("call", [presets.get, presets.caption, presets.source])
 def test_an_unknown_preset_lists_the_presets_and_the_nearest(call: Callable[[str], object]) -> None:
     with pytest.raises(InputError, match=r"adhesion, default.*did you mean 'thesis-factor-4'"):
         call("thesis_factor_4")

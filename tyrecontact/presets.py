@@ -117,6 +117,16 @@ PRESETS: Mapping[str, Callable[[], Scenario]] = MappingProxyType(
     }
 )
 
+#: preset -> the thesis' figure whose run it is, or is like
+_FIGURES = {
+    "thesis-instability": "fig-19",
+    "thesis-factor-2": "fig-27-29",
+    "thesis-factor-4": "fig-27-29",
+    "thesis-exchange": "fig-27-29",
+    "quasi-static": "fig-18",
+    "adhesion": "fig-43",
+}
+
 
 def names() -> list[str]:
     """Names of all presets, in the order in which they tell the story; one for each figure.
@@ -148,6 +158,14 @@ def caption(name: str) -> str:
     if _is_figure(name):
         return figures.find(name.partition("/")[0]).caption
     return (_function(name).__doc__ or "").strip().partition("\n")[0]
+
+
+def source(name: str) -> str:
+    """Where in the thesis: "Fig. 19, chapter 4.1"; empty for what is not from there."""
+    if _is_figure(name):
+        return figures.find(name.partition("/")[0]).source
+    _function(name)
+    return figures.find(_FIGURES[name]).source if name in _FIGURES else ""
 
 
 def _is_figure(name: str) -> bool:

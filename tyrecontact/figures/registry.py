@@ -20,17 +20,28 @@ class Figure:
     name : such as "fig-24-26".  numbers : of the thesis' figures; none for what it lacks.
     main : label of the member that stands for the family.
     family : function that makes label -> scenario.
+    chapter : of the thesis, "4.2.4"; empty for what it lacks.
     """
 
     name: str
     numbers: tuple[int, ...]
     main: str
     family: Family
+    chapter: str = ""
 
     @property
     def caption(self) -> str:
         """One line on what it shows, and where it is from."""
         return (self.family.__doc__ or "").strip().partition("\n")[0]
+
+    @property
+    def source(self) -> str:
+        """Where in the thesis: "Figs. 27-29, chapter 4.2.4"; empty for what it lacks."""
+        if not self.numbers:
+            return ""
+        first, last = self.numbers[0], self.numbers[-1]
+        which = f"Fig. {first}" if first == last else f"Figs. {first}-{last}"
+        return f"{which}, chapter {self.chapter}"
 
     @property
     def members(self) -> dict[str, str]:
@@ -46,10 +57,10 @@ def _in_one_word(label: str) -> str:
 FIGURES: dict[str, Figure] = {}
 
 
-def figure(first: int, last: int, main: str) -> Callable[[Family], Family]:
+def figure(first: int, last: int, main: str, chapter: str) -> Callable[[Family], Family]:
     """Register a family as the thesis' figures `first` to `last`; `main` stands for it."""
     name = f"fig-{first}" if first == last else f"fig-{first}-{last}"
-    return _registered(name, tuple(range(first, last + 1)), main)
+    return _registered(name, tuple(range(first, last + 1)), main, chapter)
 
 
 def beside_the_thesis(name: str, main: str) -> Callable[[Family], Family]:
@@ -57,9 +68,11 @@ def beside_the_thesis(name: str, main: str) -> Callable[[Family], Family]:
     return _registered(name, (), main)
 
 
-def _registered(name: str, numbers: tuple[int, ...], main: str) -> Callable[[Family], Family]:
+def _registered(
+    name: str, numbers: tuple[int, ...], main: str, chapter: str = ""
+) -> Callable[[Family], Family]:
     def register(family: Family) -> Family:
-        FIGURES[name] = Figure(name, numbers, main, family)
+        FIGURES[name] = Figure(name, numbers, main, family, chapter)
         return family
 
     return register

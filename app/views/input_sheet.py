@@ -9,14 +9,14 @@ from typing import Any
 
 import panel as pn
 
-from .style import HALL, Size
+from .style import DESK, HALL, Size
 
 #: of a plot [px], for a desk and for a lecture hall
 _HEIGHT, _TALL = 300, 430
 #: least width of a plot [px]; where two do not fit side by side they go below each other
 _WIDTH, _WIDE = 320, 560
 #: largest width of a map [px]
-SQUARE, _WIDEST_IN_HALL = 440, 640
+SQUARE, _WIDEST_IN_HALL = 440, 520
 
 STYLE = """
 :host { --muted: color-mix(in srgb, currentColor 68%, transparent); }
@@ -80,7 +80,7 @@ def square(plot: Any, size: Size) -> Any:
     """A map that keeps its shape, as wide as there is room but no taller than a screen."""
     most = _WIDEST_IN_HALL if size == HALL else SQUARE
     plot.param.update(sizing_mode="scale_width", height=None, max_width=most)
-    return beside(plot, size)
+    return beside(plot, DESK)
 
 
 def grid() -> pn.Row:

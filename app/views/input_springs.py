@@ -12,7 +12,7 @@ from typing import Any
 import holoviews as hv
 import numpy as np
 import panel as pn
-from bokeh.models import ColumnDataSource, HoverTool
+from bokeh.models import ColumnDataSource, HoverTool, Range1d
 from bokeh.plotting import figure
 
 from tyrecontact import Simulation, assembly
@@ -134,8 +134,9 @@ class SpringsInput:
         if self.exchanged.any():
             name = "exchanged for softer"
             hovered.append(self._lines(fig, values, self.exchanged, name, VERMILION, "dashed", 0.8))
+        lines = {"x": [self.compression] * len(apart), "y": list(apart)}
         fig.multi_line(
-            [self.compression] * len(apart), list(apart), color=_APART,
+            "x", "y", source=ColumnDataSource(lines), color=_APART,
             line_width=2.5 * size.line, legend_label=self.apart_label,
         )  # fmt: skip
         tips = [
@@ -226,7 +227,8 @@ def _log_plot(
     """A quiet figure with a logarithmic vertical axis."""
     fig = figure(
         title=title, x_axis_label="Compression [µm]", y_axis_label=label,
-        x_range=(0, reach), y_range=window, y_axis_type="log", height=tall,
+        x_range=Range1d(start=0, end=reach),
+        y_range=Range1d(start=window[0], end=window[1]), y_axis_type="log", height=tall,
         sizing_mode="stretch_width", output_backend="canvas",
         tools="pan,box_zoom,reset,save", active_drag=None, toolbar_location="above",
         min_border_left=64, min_border_right=16,

@@ -65,7 +65,7 @@ class Dialogs:
         """Choose a preset."""
         if self._gallery is None:
             self._gallery = Gallery(self._chosen)
-        self._gallery.current = self._controls.preset
+        self._gallery.show(self._controls.preset)
         self._open("Presets", "lg", self._gallery.root)
 
     def help(self) -> None:

@@ -15,8 +15,10 @@ from .views.element import ElementView
 from .views.force import ForceView
 from .views.iterations import IterationsView
 from .views.map_modes import MODES
-from .views.style import Size, horizontal
+from .views.style import GREY, VERMILION, Size, horizontal
 
+#: milliseconds from a change of what a plot shows until a long run is drawn in full there
+_LOOK = 200
 #: heights that fill a screen and no more: what stands above and below is taken off
 _FORCE = "clamp(230px, calc((100vh - 322px) * 0.6), 640px)"
 _ITERATIONS = "clamp(190px, calc((100vh - 322px) * 0.4), 420px)"
@@ -43,7 +45,8 @@ class Live:
     def __init__(self, redraw: Callable[[], None]) -> None:
         self.force, self.iterations = ForceView(), IterationsView()
         self.contact_map, self.element = ContactMapView(), ElementView()
-        self.contact_map.on_tap = self.follow
+        self.contact_map.on_tap = self.element.follow
+        self.element.on_follow = self._follow
         self.player = Player()
         self.player.on_change = redraw
         self.axis = pmui.RadioButtonGroup(
@@ -56,6 +59,11 @@ class Live:
         )  # fmt: skip
         self.axis.param.watch(lambda _: self._choose_axis(), "value")
         self.mode.param.watch(lambda event: self._choose_mode(event.new), "value")
+        for view in (self.force, self.iterations):
+            view.root.x_range.on_change("start", self._look_soon)
+            view.root.x_range.on_change("end", self._look_soon)
+        self._document = pn.state.curdoc  # None where there is no browser, as in tests
+        self._looking = False
         self._run: Run | None = None
         self._drawn = 0
         self._shown: tuple[int, bool] | None = None
@@ -89,16 +97,25 @@ class Live:
             self.player.update(high, len(run.simulation), run.record.columns)
             self._show_step(run, high, ended)
 
-    def follow(self, row: int, column: int) -> None:
-        """Follow an element; rows and columns from 0."""
-        self.element.follow(row, column)
-        self.contact_map.follow(row, column)
-        self._shown = None
-        if self._run is not None and self._drawn:
-            self._show_step(self._run, self._drawn, self._run.phase.ended)
+    def point_at(self, place: str) -> None:
+        """Draw a frame around a plot, "force", "iterations" or "map"; around none for others."""
+        plots = {"force": self.force, "iterations": self.iterations, "map": self.contact_map}
+        for name, view in plots.items():
+            pointed = name == place
+            view.root.update(
+                outline_line_color=VERMILION if pointed else GREY,
+                outline_line_width=4 if pointed else 1, outline_line_alpha=1.0 if pointed else 0.3,
+            )  # fmt: skip
 
-    def look(self) -> None:
+    def _look_soon(self, _attribute: str, _old: Any, _new: Any) -> None:
+        """A plot shows another range; not every pixel of a drag is worth an answer."""
+        if self._document is not None and not self._looking:
+            self._looking = True
+            self._document.add_timeout_callback(self._look, _LOOK)
+
+    def _look(self) -> None:
         """Show in full the part of a long run that has been zoomed into."""
+        self._looking = False
         self.force.look()
         self.iterations.look()
 
@@ -145,6 +162,12 @@ class Live:
         if self.axis.value == "time":
             return float(run.record.columns["time"][step]) * 1e3
         return float(run.record.columns["indentation"][step]) * 1e6
+
+    def _follow(self, row: int, column: int) -> None:
+        self.contact_map.follow(row, column)
+        self._shown = None
+        if self._run is not None and self._drawn:
+            self._show_step(self._run, self._drawn, self._run.phase.ended)
 
     def _choose_axis(self) -> None:
         """Put on the horizontal axis what is chosen, as far as the run on show goes."""

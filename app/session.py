@@ -17,8 +17,11 @@ from .live import Live
 from .runner import Run
 from .shelf import Shelf
 from .tabs import CodeTab, InputsTab, Tabs
+from .teaching import Teaching
+from .views.compare import CompareView
 from .views.energy import EnergyView
 from .views.headline import HeadlineView
+from .views.lesson_list import LessonList
 from .views.release import ReleaseView
 from .views.stiffness import StiffnessView
 from .views.style import DESK, HALL
@@ -27,8 +30,6 @@ from .whatif import WhatIf
 
 #: milliseconds between two looks at what the solver has left
 FRAME = 33
-#: milliseconds from a change of what a plot shows until a long run is drawn in full there
-_LOOK = 200
 #: looks at the solver from one to the next drawing of a tab at rest while a run goes on
 _TAB_PERIOD = 40
 #: least time from one run to the next where every change is run [ms]
@@ -50,7 +51,7 @@ class Session:
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
         self.run: Run | None = None
         self._clock: Any = None
-        self._ticks, self._looking, self._waiting = 0, False, False
+        self._ticks, self._waiting = 0, False
         self._large = False
         self.on_present: Callable[[bool], None] = lambda _: None
         self.browser, self.shelf = Browser(), Shelf()
@@ -58,7 +59,7 @@ class Session:
         self.controls = Controls(self.headline.refuse, self._changed)
         self.whatif = WhatIf(self.controls, self._paced)
         self.live = Live(self._redraw)
-        self.lesson = pn.Column()
+        self.teaching = Teaching(self)
         self.tabs = Tabs(
             self.live.root,
             {
@@ -66,6 +67,8 @@ class Session:
                 "Release": ReleaseView,
                 "Energy": EnergyView,
                 "Inputs": lambda: InputsTab(self.controls),
+                "Compare": lambda: CompareView(self.shelf),
+                "Lessons": lambda: LessonList(self.teaching.begin),
                 "Theory": TheoryView,
                 "Code": lambda: CodeTab(self.controls),
             },
@@ -126,7 +129,7 @@ class Session:
     def load_preset(self, name: str) -> None:
         """Put a preset into the form."""
         self.controls.load(name)
-        self.live.axis.value = "time" if self._returns() else "indentation"
+        self.choose_axis()
 
     def close(self) -> None:
         """The visitor has left."""
@@ -187,9 +190,6 @@ class Session:
         if self.whatif.live.value:
             self.run_live()
 
-    def _returns(self) -> bool:
-        return self.controls.scenario.loading.profile in _RETURNING
-
     def _redraw(self) -> None:
         """Another step is to be shown; while a run goes on, or is replayed, the clock does it."""
         if self.run is None:
@@ -209,16 +209,6 @@ class Session:
             self._document.remove_periodic_callback(self._clock)
             self._clock = None
 
-    def _look_soon(self, _attribute: str, _old: Any, _new: Any) -> None:
-        """A plot shows another range; not every pixel of a drag is worth an answer."""
-        if self._document is not None and not self._looking:
-            self._looking = True
-            self._document.add_timeout_callback(self._look, _LOOK)
-
-    def _look(self) -> None:
-        self._looking = False
-        self.live.look()
-
     def present(self) -> None:
         """Presentation mode: large type, and nothing beside the plots; or back."""
         self._large = not self._large
@@ -226,7 +216,18 @@ class Session:
         self.browser.scale_type(size.tick / DESK.tick)
         self.live.enlarge(size)
         self.tabs.enlarge(size)
+        self.teaching.enlarge(size)
         self.on_present(self._large)
+
+    def pin(self, label: str | None = None) -> None:
+        """Keep the run on show for comparison."""
+        if self.run is not None:
+            self.shelf.pin(self.run, label)
+
+    def choose_axis(self) -> None:
+        """The horizontal axis on which the form's loading is read best."""
+        returns = self.controls.scenario.loading.profile in _RETURNING
+        self.live.axis.value = "time" if returns else "indentation"
 
     def _paced(self, duration: float) -> None:
         if self.run is not None:
@@ -246,7 +247,4 @@ class Session:
         ):  # fmt: skip
             button.on_click(lambda _, action=action: action())
         self.browser.on_key = self._pressed
-        for view in (self.live.force, self.live.iterations):
-            view.root.x_range.on_change("start", self._look_soon)
-            view.root.x_range.on_change("end", self._look_soon)
         self.header.preset.label = self.controls.preset

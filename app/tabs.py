@@ -35,13 +35,13 @@ class Tabs:
 
     Attributes
     ----------
-    root : the tabs.
+    root : the tabs.  titles : of all of them, in order.
     """
 
     def __init__(self, live: Viewable, makers: Mapping[str, Callable[[], Tab]]) -> None:
         self._makers = dict(makers)
         self._made: dict[str, Tab] = {}
-        self._titles = ["Watch", *makers]
+        self.titles = ["Watch", *makers]
         self._places = [pn.Column(sizing_mode="stretch_width", margin=0) for _ in makers]
         self._run: Run | None = None
         self._size = DESK
@@ -54,11 +54,11 @@ class Tabs:
     @property
     def title(self) -> str:
         """Of the tab on show."""
-        return self._titles[self.root.active]
+        return self.titles[self.root.active]
 
     def open(self, title: str) -> None:
         """Show a tab."""
-        self.root.active = self._titles.index(title)
+        self.root.active = self.titles.index(title)
 
     def made(self, title: str) -> Any:
         """The view of a tab that has been opened, or None."""
@@ -82,7 +82,7 @@ class Tabs:
                 view.close()
 
     def _opened(self, index: int) -> None:
-        title = self._titles[index]
+        title = self.titles[index]
         if title in self._makers and title not in self._made:
             view = self._made[title] = self._makers[title]()
             self._places[index - 1].objects = [view.root]

@@ -96,7 +96,7 @@ def _focused(visit: Visit) -> str:
     """Name of what has the focus, through all shadow roots."""
     return visit.tab.evaluate("""() => {
       let node = document.activeElement
-      while (node && node.shadowRoot && node.shadowRoot.activeElement) node = node.shadowRoot.activeElement
+      while (node?.shadowRoot?.activeElement) node = node.shadowRoot.activeElement
       if (!node) return ""
-      return node.getAttribute("aria-label") || (node.labels && node.labels[0]?.textContent) || node.textContent
+      return node.getAttribute("aria-label") || node.labels?.[0]?.textContent || node.textContent
     }""")

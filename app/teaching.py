@@ -1,0 +1,51 @@
+"""Lessons on the page: what they run, where they point, what they keep for comparison."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .views.lesson import LessonCard
+from .views.style import Size
+
+if TYPE_CHECKING:
+    from .session import Session
+
+
+class Teaching:
+    """The lesson of one session.
+
+    Attributes
+    ----------
+    card : the strip above the plots; its `root` is invisible without a lesson.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self.card = LessonCard(self._apply, self._point, self._pin, self._over)
+
+    def begin(self, name: str) -> None:
+        """Start a lesson, at the live plots."""
+        self._session.tabs.open("Watch")
+        self.card.start(name)
+
+    def enlarge(self, size: Size) -> None:
+        self.card.size(size)
+
+    def _apply(self, preset: str | None, settings: dict[str, Any]) -> None:
+        """Put into the form what is to be run."""
+        if preset is not None:
+            self._session.load_preset(preset)
+        self._session.controls.change_all(settings)
+        self._session.choose_axis()
+
+    def _point(self, place: str) -> None:
+        """Show what is spoken of."""
+        tabs, title = self._session.tabs, place.capitalize()
+        tabs.open(title if title in tabs.titles else "Watch")
+        self._session.live.point_at(place)
+
+    def _pin(self, label: str) -> None:
+        self._session.pin(label)
+
+    def _over(self) -> None:
+        self._session.live.point_at("")

@@ -42,23 +42,31 @@ class Tabs:
         self._makers = dict(makers)
         self._made: dict[str, Tab] = {}
         self.titles = ["Watch", *makers]
-        self._places = [pn.Column(sizing_mode="stretch_width", margin=0) for _ in makers]
+        self._live = live
+        self._places = [
+            pn.Column(sizing_mode="stretch_width", margin=0, visible=False) for _ in makers
+        ]
         self._run: Run | None = None
         self._size = DESK
-        self.root = pmui.Tabs(
-            ("Watch", live), *zip(makers, self._places, strict=True), dynamic=True,
-            sizing_mode="stretch_width", margin=0,
-        )  # fmt: skip
-        self.root.param.watch(lambda event: self._opened(event.new), "active")
+        # the places stand below the tabs, not in them: what is taken out of the page and put back
+        # is drawn anew, which takes a live plot a second, and it may fail
+        empty = [pn.Spacer(height=0) for _ in self.titles]
+        self._choice = pmui.Tabs(
+            *zip(self.titles, empty, strict=True), sizing_mode="stretch_width", margin=0
+        )
+        self._choice.param.watch(lambda event: self._opened(event.new), "active")
+        self.root = pn.Column(
+            self._choice, live, *self._places, sizing_mode="stretch_width", margin=0
+        )
 
     @property
     def title(self) -> str:
         """Of the tab on show."""
-        return self.titles[self.root.active]
+        return self.titles[self._choice.active]
 
     def open(self, title: str) -> None:
         """Show a tab."""
-        self.root.active = self.titles.index(title)
+        self._choice.active = self.titles.index(title)
 
     def made(self, title: str) -> Any:
         """The view of a tab that has been opened, or None."""
@@ -86,7 +94,9 @@ class Tabs:
         if title in self._makers and title not in self._made:
             view = self._made[title] = self._makers[title]()
             self._places[index - 1].objects = [view.root]
-            self.root.param.trigger("objects")
+        for number, place in enumerate([self._live, *self._places]):
+            if place.visible != (number == index):
+                place.visible = number == index
         self.show(self._run)
 
 

@@ -37,7 +37,7 @@ class ContactMapView:
         self.on_tap: Callable[[int, int], None] = lambda _row, _column: None
         self.mode = "force"
         self.drawing = MapFigure()
-        self.root = self.drawing.root
+        self.root: Any = self.drawing.root
         self._elements, self._spacing = 20, 1e-3
         self._followed: tuple[int, int] | None = None
         self.clear()
@@ -158,7 +158,8 @@ class ContactMapView:
     def _mark(self, fields: Fields | None) -> None:
         """Elements in tension and released ones carry a mark: colour alone says too little."""
         marked: dict[str, list[Any]] = {name: [] for name in NO_MARKS}
-        for state, marker in _MARKERS.items() if fields is not None else ():
+        for state, marker in _MARKERS.items() if fields else ():
+            assert fields is not None
             rows, columns = np.nonzero(fields["state"] == state)
             marked["x"] += ((columns + 0.5) * self._spacing * 1e3).tolist()
             marked["y"] += ((rows + 0.5) * self._spacing * 1e3).tolist()
@@ -176,7 +177,7 @@ class ContactMapView:
             "x": [(column + 0.5) * side], "y": [(row + 0.5) * side], "side": [side]
         }  # fmt: skip
 
-    def _tapped(self, event: Tap) -> None:
+    def _tapped(self, event: Any) -> None:
         if self._on_show is None or event.x is None or event.y is None:
             return
         row, column = (math.floor(place * 1e-3 / self._spacing) for place in (event.y, event.x))

@@ -52,6 +52,7 @@ class ElementView:
         self._run: Run | None = None
         self._axis: Horizontal | None = None
         self._size, self._dark = DESK, False
+        self._drawn: int | None = None
         self._words = pn.pane.HTML("", stylesheets=[_STYLE], sizing_mode="stretch_width")
         self.root = pn.Column(self._words, sizing_mode="stretch_width", margin=(4, 8))
         self._begin(None)
@@ -125,7 +126,8 @@ class ElementView:
 
     def _begin(self, run: Run | None) -> None:
         self._run, self._step, self._ended = run, 0, False
-        self._rows, self._drawn = 0, None
+        self._rows = 0
+        self._drawn = None
         self._say(INVITATION)
 
     def _build(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import panel_material_ui as pmui
@@ -24,8 +25,12 @@ class ElementChooser:
         for number in (self.row, self.column):
             number.param.watch(self._changed, "value")
         for button in self.buttons:
-            button.on_click(lambda _, wish=button.label: wanted(wish))
+            button.on_click(partial(self._press, wanted))
         self.root = pmui.FlexBox(self.row, self.column, *self.buttons, flex_wrap="wrap")
+
+    @staticmethod
+    def _press(wanted: Callable[[str], None], event: Any) -> None:
+        wanted(event.obj.label)
 
     def bound(self, elements: int) -> None:
         """So many elements a side can be chosen among."""
@@ -39,5 +44,6 @@ class ElementChooser:
         self._silent = False
 
     def _changed(self, _event: Any) -> None:
-        if not self._silent and None not in (self.row.value, self.column.value):
-            self._chosen(self.row.value, self.column.value)
+        row, column = self.row.value, self.column.value
+        if not self._silent and row is not None and column is not None:
+            self._chosen(row, column)

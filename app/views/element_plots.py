@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from bokeh.models import ColorBar, ColumnDataSource, DataRange1d, LinearColorMapper, Range1d, Span
+from bokeh.models import ColumnDataSource, DataRange1d, LinearColorMapper, Range1d
+from bokeh.models.annotations import ColorBar, Span
 from bokeh.palettes import Cividis256
 from bokeh.plotting import figure
 
@@ -39,10 +40,10 @@ class ForcePlots:
     def __init__(self) -> None:
         self.path, self.now = ColumnDataSource(PATH), ColumnDataSource(PATH)
         self.curve, self.bond = ColumnDataSource(_CURVE), ColumnDataSource(_CURVE)
-        self.history = plot("Its force", "Force [N]", HEIGHT, top=1.0)
-        self.spring = plot("Its spring", "Force [N]", HEIGHT, top=1.0)
+        self.history: Any = plot("Its force", "Force [N]", HEIGHT, top=1.0)
+        self.spring: Any = plot("Its spring", "Force [N]", HEIGHT, top=1.0)
         self.spring.y_range = self.history.y_range
-        self.spring.x_range = Range1d(0, 1)
+        self.spring.x_range = Range1d(start=0, end=1)
         self.spring.xaxis.axis_label = "Compression [µm]"
         tips = [("force", "@force{0.000} N"), ("compression", "@compression_um{0.00} µm")]
         self._spring_line(self.curve, "solid", tips)
@@ -58,7 +59,7 @@ class ForcePlots:
         ]  # fmt: skip
         self._against = [self._lines[0], dots[0]]
         hover(self.history, self._lines[0], [*tips[:1], ("time", "@time_ms{0.000} ms")], "mouse")
-        self.limit = Span(dimension="width", location=0.0, line_color=VERMILION,
+        self.limit: Any = Span(dimension="width", location=0.0, line_color=VERMILION,
                           line_dash="dotted", line_width=2)  # fmt: skip
         self.spring.add_layout(self.limit)
         self.darken(False)
@@ -144,8 +145,8 @@ class HeightsPlot:
 
     def __init__(self) -> None:
         self.heights, self.touching = ColumnDataSource(_NO_HEIGHTS), ColumnDataSource(_NO_HEIGHTS)
-        ranges = [DataRange1d(range_padding=0) for _ in range(2)]
-        self.root = figure(
+        ranges: list[Any] = [DataRange1d(range_padding=0) for _ in range(2)]
+        self.root: Any = figure(
             title="Its small scale; red touches", x_axis_label="x [mm]", y_axis_label="y [mm]",
             x_range=ranges[0], y_range=ranges[1], match_aspect=True, height=HEIGHT,
             sizing_mode="stretch_width", tools="save", toolbar_location="above",
@@ -153,8 +154,15 @@ class HeightsPlot:
         )  # fmt: skip
         self.root.toolbar.logo, self.root.toolbar.autohide = None, True
         self.root.grid.visible = False
-        self.mapper = LinearColorMapper(Cividis256, low=-1, high=0)
-        clear = LinearColorMapper(["#00000000", VERMILION], low=0, high=1)
+        self.mapper = LinearColorMapper(palette=Cividis256, low=-1, high=0)
+        self._draw(ranges)
+        self.bar = ColorBar(color_mapper=self.mapper, title="µm", width=10, padding=4,
+                            background_fill_alpha=0)  # fmt: skip
+        self.root.add_layout(self.bar, "right")
+        self.clear()
+
+    def _draw(self, ranges: list[Any]) -> None:
+        clear = LinearColorMapper(palette=["#00000000", VERMILION], low=0, high=1)
         images = [
             self.root.image("height", source=source, x="x", y="y", dw="side", dh="side",
                             color_mapper=mapper)
@@ -163,10 +171,6 @@ class HeightsPlot:
         hover(self.root, images[0], [("below its top", "@height{0.0} µm")], "mouse")
         for data_range in ranges:
             data_range.renderers = images[:1]
-        self.bar = ColorBar(color_mapper=self.mapper, title="µm", width=10, padding=4,
-                            background_fill_alpha=0)  # fmt: skip
-        self.root.add_layout(self.bar, "right")
-        self.clear()
 
     def clear(self) -> None:
         self.heights.data = self.touching.data = _NO_HEIGHTS

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 from bokeh.models import (
-    ColorBar,
     ColumnDataSource,
     CustomJSHover,
     DataRange1d,
@@ -14,6 +13,7 @@ from bokeh.models import (
     HoverTool,
     LinearColorMapper,
 )
+from bokeh.models.annotations import ColorBar
 from bokeh.plotting import figure
 
 from .map_modes import STATES
@@ -49,11 +49,11 @@ class MapFigure:
         self.marks = ColumnDataSource(NO_MARKS, name="tension")
         self.frame = ColumnDataSource(NO_FRAME, name="followed")
         self.mapper = LinearColorMapper(
-            Scale().palette, low=0, high=1, nan_color=APART, high_color=BEYOND
+            palette=Scale().palette, low=0, high=1, nan_color=APART, high_color=BEYOND
         )
         # ranges that follow what is drawn keep the cells square at any width
-        ranges = [DataRange1d(range_padding=0) for _ in range(2)]
-        self.root = figure(
+        ranges: list[Any] = [DataRange1d(range_padding=0) for _ in range(2)]
+        self.root: Any = figure(
             x_axis_label="x [mm]", y_axis_label="y [mm]", x_range=ranges[0], y_range=ranges[1],
             match_aspect=True, sizing_mode="scale_width", tools="save", toolbar_location="above",
             output_backend="canvas", min_border_right=14, outline_line_color=None,
@@ -118,7 +118,7 @@ class MapFigure:
 
     def _add_hover(self) -> None:
         self._formatter = CustomJSHover(code=_VALUE, args={"unit": ""})
-        formatters = {
+        formatters: dict[str, Any] = {
             "$x": CustomJSHover(code=_WHERE),
             "@value": self._formatter,
             "@state": CustomJSHover(code=_STATE, args={"names": list(STATES)}),

@@ -182,7 +182,7 @@ class RoadDialog:
             helper_text="must be given" if "pitch" in missing else "0: as in the file",
         )
         self.fields["height_unit"].error_state = "unit" in missing
-        self.preview.root.visible = self.facts.visible = found is not None
+        self.preview.root.visible = found is not None  # a pane of HTML must not come and go so
 
     def _layout(self) -> pmui.Dialog:
         fields = pn.FlexBox(*(self.fields[name] for name in _ORDER), gap="0px", margin=0)

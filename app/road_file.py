@@ -132,20 +132,26 @@ class RoadFile:
     def _reject(self, name: str, sentence: str) -> None:
         """A file that was not even taken."""
         self.show(self.file)
-        self._open().refuse(name, sentence)
+        self._made().refuse(name, sentence)
+        self._mount()
         self._say(f"Not used: {sentence}.")
         self._refuse(sentence)
 
     def _begin(self, path: Path, name: str, road: Road, fresh: bool) -> None:
         self._drop()
         self._reading = Reading(path, name)
-        self._open().open(name, road, fresh)
+        self._made().open(name, road, fresh)
+        self._mount()
 
-    def _open(self) -> RoadDialog:
+    def _made(self) -> RoadDialog:
         if self._asked is None:
             self._asked = RoadDialog(self._look_again, self.use, self.cancel)
-            self.dialog.objects = [self._asked.root]
         return self._asked
+
+    def _mount(self) -> None:
+        """Put the dialog on the page when it is first needed, with all that it begins with."""
+        if not self.dialog.objects:
+            self.dialog.objects = [self._made().root]
 
     def _look_again(self, road: Road) -> None:
         reading = self._reading
@@ -155,7 +161,7 @@ class RoadFile:
 
     def _show(self, look: Look, road: Road) -> None:
         self._look = look
-        self._open().show(look, road)
+        self._made().show(look, road)
         if look.refusal and look.found is None:
             self._say(f"Not used: {look.refusal}.")
             self._refuse(look.refusal)

@@ -1,29 +1,66 @@
-"""A road file is taken when it can be read, and refused in one sentence otherwise."""
+"""A road file is confirmed before it is used, and a bad one is refused in one sentence."""
 
 from __future__ import annotations
 
 import gzip
 import io
+import time
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from app import road_upload
+from app.road_dialog import SETTINGS
 from app.road_file import RoadFile
+from tyrecontact import Scenario
+from tyrecontact.assembly.road import road_patch
+from tyrecontact.parts.road import Road
 
 
 class Taken:
-    """Remembers what the control handed on."""
+    """Remembers what the control handed on, and does what a visitor does."""
 
     def __init__(self) -> None:
-        self.roads: list[tuple[str, float, str]] = []
+        self.roads: list[dict[str, Any]] = []
         self.refusals: list[str] = []
-        self.control = RoadFile(lambda *road: self.roads.append(road), self.refusals.append)
+        self.control = RoadFile(self.roads.append, self.refusals.append)
 
     def upload(self, name: str, content: bytes) -> None:
-        self.control.file.filename = name
-        self.control.file.value = content
+        """As the browser does it."""
+        upload, piece = self.control.upload, road_upload._PIECE
+        pieces = -(-len(content) // piece)
+        upload._handle_msg({"status": "initializing"})
+        for number in range(pieces):
+            part = content[number * piece : (number + 1) * piece]
+            upload._handle_msg(
+                {"status": "upload_event", "name": name, "data": part, "chunk": number + 1,
+                 "total_chunks": pieces, "mime_type": ""}
+            )  # fmt: skip
+        upload._handle_msg({"status": "finished"})
+        self.settle()
+
+    def fill(self, **values: Any) -> None:
+        for name, value in values.items():
+            self.dialog.fields[name].value = value
+        self.settle()
+
+    def settle(self) -> None:
+        for _ in range(3):  # an answer may ask once more, with a patch that fits
+            assert self.control.work.join(60)
+
+    @property
+    def dialog(self) -> Any:
+        assert self.control._asked is not None
+        return self.control._asked
+
+    @property
+    def files(self) -> list[Path]:
+        folder = self.control._folder
+        return sorted(Path(folder.name).iterdir()) if folder else []
 
 
 @pytest.fixture
@@ -33,26 +70,88 @@ def taken() -> Iterator[Taken]:
     made.control.close()
 
 
-def _npy(heights: np.ndarray) -> bytes:
+def npy(heights: np.ndarray) -> bytes:
     buffer = io.BytesIO()
-    np.save(buffer, heights)
+    np.save(buffer, heights, allow_pickle=True)
     return buffer.getvalue()
 
 
-def _road() -> np.ndarray:
-    return np.random.default_rng(3).normal(0, 0.02, (200, 200))
+def road() -> np.ndarray:
+    return np.random.default_rng(3).normal(0, 0.02, (300, 300))
 
 
-def test_a_file_is_taken_once_pitch_and_unit_are_known(taken: Taken) -> None:
-    taken.upload("my road.npy", _npy(_road()))
-    assert "give its pitch" in taken.control.status.object
-    taken.control.pitch.value = 100.0
-    taken.control.unit.value = "mm"
-    path, pitch, unit = taken.roads[-1]
-    assert Path(path).exists()
-    assert (pitch, unit) == (pytest.approx(1e-4), "mm")
-    assert "20 x 20 mm" in taken.control.status.object
-    assert "rms 19.9 µm" in taken.control.status.object
+def bring(taken: Taken, name: str = "my road.npy") -> None:
+    taken.upload(name, npy(road()))
+    taken.fill(pitch=100.0, height_unit="mm")
+
+
+def test_nothing_is_used_before_it_is_confirmed(taken: Taken) -> None:
+    taken.upload("my road.npy", npy(road()))
+    assert "does not say the distance of its heights (pitch) and the unit" in (
+        taken.dialog.message.object
+    )
+    assert taken.dialog.use_button.disabled
+    taken.fill(pitch=100.0, height_unit="mm")
+    assert "30.0 × 30.0 mm" in taken.dialog.facts.object
+    assert "20.0 µm" in taken.dialog.facts.object
+    assert "given by you" in taken.dialog.facts.object
+    assert not taken.dialog.use_button.disabled
+    assert not taken.roads
+    taken.control.use()
+    assert list(taken.roads[-1])[-1] == "road.file"
+    assert taken.roads[-1]["road.pitch"] == pytest.approx(1e-4)
+    assert taken.roads[-1]["road.height_unit"] == "mm"
+    assert not taken.dialog.root.open
+    assert "my road.npy: 30 x 30 mm" in taken.control.status.object
+
+
+def test_what_is_used_makes_the_patch_that_the_dialog_promised(taken: Taken) -> None:
+    bring(taken)
+    taken.fill(size=10.0, centre_x=5.0, elements=10)
+    taken.control.use()
+    scenario = Scenario()
+    for path, value in taken.roads[-1].items():
+        scenario.set(path, value)
+    patch = road_patch(scenario.road)
+    assert patch.extent == pytest.approx((10e-3, 10e-3))
+    expected = road()[100:200, 150:250] * 1e-3
+    assert np.corrcoef(patch.heights.ravel(), expected.ravel())[0, 1] > 0.999
+
+
+def test_pitch_and_unit_of_one_file_are_not_those_of_the_next(taken: Taken) -> None:
+    bring(taken)
+    taken.control.use()
+    taken.upload("other.npy", npy(road()))
+    assert taken.dialog.use_button.disabled
+    assert taken.dialog.fields["pitch"].value == 0
+    assert taken.dialog.fields["height_unit"].value == ""
+    assert taken.dialog.fields["pitch"].error_state
+
+
+def test_cancel_leaves_the_road_in_use_and_nothing_on_disk(taken: Taken) -> None:
+    bring(taken)
+    taken.control.use()
+    before = taken.files
+    taken.upload("other.npy", npy(road()))
+    taken.control.cancel()
+    assert taken.files == before
+    assert len(taken.roads) == 1
+    assert "my road.npy" in taken.control.status.object
+
+
+def test_change_opens_the_dialog_on_the_file_and_values_in_use(taken: Taken) -> None:
+    bring(taken)
+    taken.fill(size=12.0)
+    taken.control.use()
+    taken.control.reopen()
+    taken.settle()
+    assert taken.dialog.root.open
+    assert taken.dialog.fields["size"].value == pytest.approx(12.0)
+    assert not taken.dialog.use_button.disabled
+    taken.fill(levelling="none")
+    taken.control.use()
+    assert taken.roads[-1]["road.levelling"] == "none"
+    assert taken.roads[-1]["road.file"] == taken.roads[0]["road.file"]
 
 
 @pytest.mark.parametrize(
@@ -60,44 +159,131 @@ def test_a_file_is_taken_once_pitch_and_unit_are_known(taken: Taken) -> None:
     [
         ("bad.npy", b"this is not numpy", "must hold a matrix of numbers"),
         ("words.txt", b"one two three\n", "must hold a matrix of numbers"),
-        ("gap.npy", _npy(np.full((9, 9), np.nan)), "all 81 are missing"),
+        ("gap.npy", npy(np.full((9, 9), np.nan)), "all 81 are missing"),
         ("photo.jpg", b"\xff\xd8\xff", "kind of road file"),
-        ("cube.npy", _npy(np.zeros((3, 3, 3))), "2-D"),
+        ("cube.npy", npy(np.zeros((3, 3, 3))), "2-D"),
+        ("pickle.npy", npy(np.array([{}, ()], dtype=object)), "Python objects"),
+        ("empty.npy", b"", "0 bytes"),
+        ("no.x3p", b"PK\x03\x04", "must hold a matrix of numbers"),
+        ("bomb.txt.gz", gzip.compress(b"1 " * 4_000_000), "lines of at most 1 MB"),
     ],
 )
-def test_a_bad_file_is_refused_in_one_sentence_and_not_used(
+def test_a_bad_file_is_refused_in_one_sentence_and_the_road_in_use_stays(
     taken: Taken, name: str, content: bytes, says: str
 ) -> None:
-    taken.control.pitch.value, taken.control.unit.value = 50.0, "mm"
+    bring(taken)
+    taken.control.use()
     taken.upload(name, content)
-    assert taken.roads[-1] == ("", 0.0, "")
+    if taken.dialog.fields["pitch"].error_state:
+        taken.fill(pitch=50.0, height_unit="mm")
     assert len(taken.refusals) == 1
     assert says in taken.refusals[0]
     assert "\n" not in taken.refusals[0]
     assert "/tmp" not in taken.refusals[0]
-    assert taken.control.status.object.startswith("Not used")
+    assert "road-" not in taken.refusals[0]
+    assert taken.dialog.use_button.disabled
+    taken.control.use()
+    taken.control.cancel()
+    assert len(taken.roads) == 1
+    assert len(taken.files) == 1
+
+
+def test_a_zip_bomb_is_refused_before_it_is_unpacked(taken: Taken) -> None:
+    buffer = io.BytesIO()
+    with (
+        zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive,
+        archive.open("heights.npy", "w", force_zip64=True) as member,
+    ):
+        for _ in range(600):
+            member.write(bytes(1_000_000))
+    taken.upload("bomb.npz", buffer.getvalue())
+    taken.fill(pitch=50.0, height_unit="mm")
+    assert "must hold at most" in taken.refusals[-1]
+
+
+def test_an_upload_that_is_too_large_is_refused_at_its_first_piece(taken: Taken) -> None:
+    pieces = road_upload.MAX_BYTES // road_upload._PIECE + 2
+    taken.control.upload.receive("huge.npy", b"x", 1, pieces)
+    assert "must have at most 128 MB" in taken.refusals[-1]
+    taken.control.upload.receive("huge.npy", b"x", 2, pieces)
+    taken.control.upload.finish()
+    assert len(taken.refusals) == 1
+    assert not taken.files
+
+
+def test_a_visitor_who_says_too_little_is_stopped_by_what_comes(
+    taken: Taken, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(road_upload, "MAX_BYTES", 1000)
+    taken.control.upload.receive("sly.npy", bytes(1001), 1, 1)
+    assert "must have at most" in taken.refusals[-1]
+    assert not taken.files
+
+
+@pytest.mark.parametrize("numbers", [(2,), (1, 3)])
+def test_pieces_out_of_order_are_refused(taken: Taken, numbers: tuple[int, ...]) -> None:
+    for number in numbers:
+        taken.control.upload.receive("road.npy", b"x", number, 5)
+    assert "pieces must come in order" in taken.refusals[-1]
 
 
 def test_a_file_that_carries_pitch_and_unit_needs_neither(taken: Taken) -> None:
     lines = "distance (mm)\theight (mm)\n" + "".join(f"{n * 0.1:.1f}\t{n % 7}\n" for n in range(90))
     taken.upload("line.dat.gz", gzip.compress(lines.encode()))
-    path, pitch, unit = taken.roads[-1]
-    assert Path(path).name == "road.dat.gz"
-    assert (pitch, unit) == (0.0, "")
-    assert "pitch 100 µm (file), heights in mm (file)" in taken.control.status.object
+    assert "100 µm, from the file" in taken.dialog.facts.object
+    # 9 mm do not carry a patch of 20 mm: the largest is offered
+    assert taken.dialog.fields["size"].value == pytest.approx(9.0)
+    assert taken.dialog.fields["trim_start"].visible
+    assert not taken.dialog.fields["centre_y"].visible
 
 
-def test_a_visitors_file_name_cannot_leave_the_sessions_folder(taken: Taken) -> None:
-    taken.control.pitch.value, taken.control.unit.value = 50.0, "mm"
-    taken.upload("../../../etc/evil.npy", _npy(_road()))
-    assert Path(taken.roads[-1][0]).name == "road.npy"
+def test_a_visitors_file_name_is_shown_as_it_is_and_never_used_as_a_path(taken: Taken) -> None:
+    name = "../../<img src=x onerror=alert(1)>.npy"
+    bring(taken, name)
+    taken.control.use()
+    assert Path(taken.roads[-1]["road.file"]).name == "road-1.npy"
+    assert "<img" not in taken.control.status.object
+    assert "&lt;img" in taken.control.status.object
 
 
-def test_going_back_to_the_made_road_removes_the_file(taken: Taken) -> None:
-    taken.control.pitch.value, taken.control.unit.value = 50.0, "mm"
-    taken.upload("road.npy", _npy(_road()))
-    path = Path(taken.roads[-1][0])
-    assert path.exists()
+def test_back_to_the_made_road_gives_every_default(taken: Taken) -> None:
+    bring(taken)
+    taken.control.use()
     taken.control.forget()
-    assert not path.parent.exists()
-    assert taken.roads[-1] == ("", 0.0, "")
+    fresh = Road()
+    assert taken.roads[-1]["road.file"] == ""
+    assert all(taken.roads[-1][f"road.{name}"] == getattr(fresh, name) for name in SETTINGS)
+    assert not taken.control.clear.visible
+
+
+def test_a_file_is_there_for_undo_and_gone_with_the_session(taken: Taken) -> None:
+    bring(taken)
+    taken.control.use()
+    file = taken.roads[-1]["road.file"]
+    taken.control.forget()
+    taken.control.show(file)
+    assert "my road.npy" in taken.control.status.object
+    assert Path(file).exists()
+    taken.control.close()
+    assert not Path(file).parent.exists()
+
+
+def test_a_file_that_comes_while_another_is_read_supersedes_it(
+    taken: Taken, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from app.road_reading import Reading
+
+    look = Reading.look
+    monkeypatch.setattr(Reading, "look", lambda self, road: (time.sleep(0.2), look(self, road))[1])
+    lines = "distance (mm)\theight (mm)\n" + "".join(
+        f"{n * 0.1:.1f}\t{n % 7}\n" for n in range(300)
+    )
+    monkeypatch.setattr(taken, "settle", lambda: None)
+    taken.upload("first.dat", lines.encode())
+    taken.upload("second.dat", lines.replace("0.1", "0.2").encode())
+    monkeypatch.undo()
+    taken.settle()
+    assert taken.dialog.root.title == "Your road: second.dat"
+    taken.control.use()
+    assert "second.dat" in taken.control.status.object
+    assert len(taken.files) == 1

@@ -141,9 +141,9 @@ class KernelInput:
             x, y = thinned(time, kernel.values[:, row, column].cumsum() * 1e6)
             curve = hv.Curve((x, y), _TIME, label, label=place)
             drawn.append(curve.opts(color=color, line_dash=dash, line_width=1.8))
-        # the first curve lies about three times as high as the others: between them is room
-        placed = hv.Overlay(drawn).opts(legend_opts={"location": "center_right"})
-        return _plot(placed, "Under a force that stays", size)
+        most = 1e6 * float(kernel.values[:, 0, 0].cumsum().max())
+        drawn[0] = drawn[0].opts(ylim=(0, 1.7 * most))  # room for the legend above
+        return _plot(hv.Overlay(drawn), "Under a force that stays", size)
 
     def draw_distance(self, size: Size) -> Any:
         """Displacement at rest, along a row of elements."""

@@ -163,7 +163,11 @@ class InputsView:
     def _answered(self) -> None:
         """On the worker's thread."""
         if self._document is not None:
-            self._document.add_next_tick_callback(self.arrive)
+            self._document.add_next_tick_callback(self._arrive_on_page)
+
+    def _arrive_on_page(self) -> None:
+        # what changes while a page is being loaded may never reach it
+        pn.state.onload(self.arrive)
 
     def _say(self, sentence: str) -> None:
         """A sentence alone."""

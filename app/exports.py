@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import re
 from collections.abc import Mapping
+from csv import writer
 from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
-import pandas as pd
 
 from tyrecontact import Results
 from tyrecontact.steps import SCALARS
@@ -54,8 +55,11 @@ def csv(preset: str, results: Results, names: Mapping[str, str] | None = None) -
         label = name if unit == "1" else f"{name} [{unit}]"
         columns[label] = results.columns[name]
         notes.append(f"{label}: {meaning}")
-    table = pd.DataFrame(columns).to_csv(index=False, lineterminator="\n")
+    file = io.StringIO()
+    table = writer(file, lineterminator="\n")
+    table.writerow(columns)
+    table.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
     scenario = code.without_folders(results.scenario, names)
     notes += [f"The run: {results.stop_reason}", "The scenario, for tyrecontact run FILE.toml:"]
     notes += code.toml(preset, scenario).splitlines()
-    return table + "".join(f"# {note}".rstrip() + "\n" for note in notes)
+    return file.getvalue() + "".join(f"# {note}".rstrip() + "\n" for note in notes)

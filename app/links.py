@@ -10,11 +10,12 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 from urllib.parse import parse_qsl, quote
 
-from tyrecontact import Scenario, Simulation, presets
+from tyrecontact import Scenario, presets
 from tyrecontact.errors import InputError
 from tyrecontact.settings import Tables, Text
 
 from .code import changes
+from .link_agreement import together
 from .link_keys import KEYS, PRESET_KEY, VERSION_KEY, VIEW_MARK
 from .link_values import OWN_FILE, has_own_file, layers, written
 
@@ -22,8 +23,6 @@ from .link_values import OWN_FILE, has_own_file, layers, written
 VERSION = 1
 #: characters of a link, and of one value in it, beyond which nothing is read
 LONGEST, LONGEST_VALUE = 8000, 80
-#: so few settings are tried with each of them left out
-_FEW = 16
 #: sentences told about one link, at most
 MOST_TOLD = 8
 #: of a setting that reads a file: what the file is of -> what those have who lack it
@@ -91,7 +90,8 @@ def parse(search: str, views: Mapping[str, Sequence[str]] | None = None) -> Link
     pairs = _pairs(search, problems)
     _check_version(pairs.pop(VERSION_KEY, str(VERSION)), problems)
     preset = _preset(pairs.pop(PRESET_KEY, "default"), problems)
-    view, settings = {}, {}
+    view: dict[str, str] = {}
+    settings: dict[str, Any] = {}
     for key, text in pairs.items():
         try:
             if key.startswith(VIEW_MARK):
@@ -101,7 +101,8 @@ def parse(search: str, views: Mapping[str, Sequence[str]] | None = None) -> Link
                 settings.update([_setting(key, text, problems)])
         except InputError as error:
             problems.append(str(error))
-    scenario = _together(preset, settings, problems)
+    scenario, left = together(preset, settings)
+    problems += left
     if len(problems) > MOST_TOLD:
         more = len(problems) - MOST_TOLD + 1
         problems[MOST_TOLD - 1 :] = [f"{more} more things in this link cannot be used"]
@@ -184,63 +185,9 @@ def _no_file(path: str, text: str) -> str:
     return f"{path} must not be named in a link, got {_shown(text)}: no file is read for one"
 
 
-def _together(preset: str, settings: dict[str, Any], problems: list[str]) -> Scenario:
-    """The preset with as many of the settings as go together."""
-    whole = _made(preset, settings)
-    refusal = _refusal(whole)
-    if not refusal:
-        return whole
-    if len(settings) <= _FEW:
-        for path in reversed(settings):  # one that is out of place is the common case
-            fewer = _made(preset, {p: v for p, v in settings.items() if p != path})
-            if not _refusal(fewer):
-                problems.append(_left(path, refusal))
-                return fewer
-    taken: dict[str, Any] = {}
-    left = list(settings.items())
-    for _ in range(2):  # what is refused at first may go with what came after it
-        left = _take(preset, taken, left)
-    problems += [_left(path, _refusal(_made(preset, {**taken, path: v}))) for path, v in left]
-    return _made(preset, taken)
-
-
-def _take(preset: str, taken: dict[str, Any], more: list[tuple[str, Any]]) -> list[tuple[str, Any]]:
-    """Add to what was taken all that goes with it, and return the rest.
-
-    By halves: few trials where most of it does.
-    """
-    if not _refusal(_made(preset, {**taken, **dict(more)})):
-        taken.update(more)
-        return []
-    if len(more) == 1:
-        return more
-    half = len(more) // 2
-    left = _take(preset, taken, more[:half])
-    return left + _take(preset, taken, more[half:])
-
-
-def _left(path: str, refusal: str) -> str:
-    return f"{path} was left as it is in the preset: {refusal}"
-
-
-def _made(preset: str, settings: Mapping[str, Any]) -> Scenario:
-    scenario = presets.get(preset)
-    for path, value in settings.items():
-        scenario.set(path, value)
-    return scenario
-
-
-def _refusal(scenario: Scenario) -> str:
-    try:
-        Simulation(scenario)
-    except InputError as error:
-        return str(error)
-    return ""
-
-
 def _value(scenario: Scenario, path: str) -> Any:
-    part, parameter = scenario.find(path)
-    return getattr(part, parameter.name)
+    part, _ = scenario.find(path)
+    return getattr(part, path.partition(".")[2])
 
 
 def _shown(text: str) -> str:

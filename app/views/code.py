@@ -80,7 +80,8 @@ class CodeView:
     def _build(self) -> None:
         for title in _BLOCKS:
             block = pn.pane.HTML("", stylesheets=[_STYLE], sizing_mode="stretch_width")
-            button = pmui.Button(label=f"Copy: {title}", size="small", variant="outlined")
+            label = f"Copy: {title}"
+            button = pmui.Button(label=label, tags=[label], size="small", variant="outlined")
             button.js_on_click(args={"block": block, "button": button}, code=_COPY)
             self._blocks[title] = block
             self.root.extend([block, button])

@@ -1,9 +1,8 @@
-// Copy the code of a block; args: block (the model of its pane), button.
+// Copy the code of a block; args: block (the model of its pane), button, whose one tag is its label.
 const code = Bokeh.index.find_one_by_id(block.id).shadow_el.querySelector("pre").textContent
-const label = button.label
 const told = (text) => {
-  button.label = text
-  setTimeout(() => { button.label = label }, 2000)
+  button.data.label = text
+  setTimeout(() => { button.data.label = button.tags[0] }, 2000)
 }
 const by_selection = () => {
   // where the page is not served by https, browsers have no clipboard

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
 
 import panel as pn
@@ -25,7 +26,8 @@ class Downloads:
         self.root = pn.Column(sizing_mode="stretch_width")
         self.files: dict[str, pmui.FileDownload] = {}
         self.pictures: dict[str, pmui.Button] = {}
-        self._preset, self._run = "default", None
+        self._preset = "default"
+        self._run: Run | None = None
         self._names: dict[str, str] = {}
 
     def show(self, preset: str, run: Run | None, names: Mapping[str, str] | None = None) -> None:
@@ -42,10 +44,10 @@ class Downloads:
             self._build()
         count = run.record.count if run is not None and run.record is not None else 0
         self.note.object = f"The run, {count} steps:" if count else _NO_RUN
-        for button in self.files.values():
-            button.disabled = not count
-        for button in self.pictures.values():
-            button.tags = [exports.stem(preset)]
+        for file in self.files.values():
+            file.disabled = not count
+        for picture in self.pictures.values():
+            picture.tags = [exports.stem(preset)]
 
     def contents(self, ending: str) -> tuple[str, bytes]:
         """Name and contents of the file "nc", "csv" or "toml" of the run on show."""
@@ -72,7 +74,7 @@ class Downloads:
             "toml": "TOML: its scenario",
         }
         for ending, label in labels.items():
-            self.files[ending] = file_button(label, lambda ending=ending: self.contents(ending))
+            self.files[ending] = file_button(label, partial(self.contents, ending))
         for kind in ("png", "svg"):
             button = pmui.Button(label=f"Plots as {kind.upper()}", size="small", variant="outlined")
             button.js_on_click(args={"kind": kind, "button": button}, code=_SAVE)

@@ -26,14 +26,17 @@ def file_button(
         button.filename, contents = make()
         return io.BytesIO(contents)
 
-    def forget(event: Any) -> None:
+    def forget() -> None:
+        button.data = None
+
+    def sent(event: Any) -> None:
         # the same file again would be no change, and not be saved; and a run can be 50 MB
         if event.new is not None and pn.state.curdoc is not None:
-            pn.state.curdoc.add_next_tick_callback(lambda: button.param.update(data=None))
+            pn.state.curdoc.add_next_tick_callback(forget)
 
     button = pmui.FileDownload(
         callback=content, auto=True, filename="file", label=label, size="small", **looks
     )
     button.variant = "outlined"  # given above, it would be called deprecated
-    button.param.watch(forget, "data")
+    button.param.watch(sent, "data")
     return button

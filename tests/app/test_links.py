@@ -183,17 +183,6 @@ def test_the_rest_of_a_link_is_applied() -> None:
     assert "lm' must be given once" in " ".join(link.problems)
 
 
-def test_of_two_settings_that_do_not_go_together_one_is_left() -> None:
-    link = links.parse("rn=4&sx=80&lr=0.05")
-    assert link.scenario.road.elements == 4
-    assert link.scenario.springs.exchange_count == 0
-    assert link.scenario.loading.rate == 0.05
-    assert link.problems == [
-        "springs.exchange_count was left as it is in the preset: springs.exchange_count must be "
-        "at most half the elements, 8, got 80"
-    ]
-
-
 def test_settings_that_need_each_other_are_taken_beside_others_that_are_refused() -> None:
     link = links.parse("tm=tabulated&ld=force&lw=1&nk=band-limited&nf=6&rn=4&sx=80")
     scenario = link.scenario

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import panel as pn
@@ -15,11 +15,11 @@ import panel as pn
 from tyrecontact.steps import SCALARS
 
 from ..runner import Phase, Run
-from .rest import Redrawn
+from .rest import HEIGHT, Redrawn
 from .style import DESK, HALL, Size
 
-#: a run under way is drawn anew when so many times the last drawing's cost has passed
-_PATIENCE = 10
+#: a run under way is drawn anew when so many times the last drawing's cost has passed; the most [s]
+_PATIENCE, _LONGEST = 10, 4.0
 #: of a plot [px]: two fit beside each other on a desktop, and not on a phone
 _NARROWEST = 400
 
@@ -72,7 +72,9 @@ class Reading:
 
 
 class TabView(ABC):
-    """Attributes: `root` to look at; `reading` what is shown."""
+    """Attributes: `root` to look at; `reading` what is shown; `heights` name of a plot -> [px]."""
+
+    heights: ClassVar[Mapping[str, int]] = {}
 
     def __init__(self) -> None:
         self.reading = Reading("")
@@ -108,7 +110,8 @@ class TabView(ABC):
         self.reading = self._read(run, count)
         self._draw(size)
         self._shown = shown
-        self._due = time.monotonic() + _PATIENCE * (time.monotonic() - began)
+        cost = time.monotonic() - began
+        self._due = time.monotonic() + min(_PATIENCE * cost, _LONGEST)
 
     def _read(self, run: Run | None, count: int) -> Reading:
         if run is None or run.record is None or not count:
@@ -125,7 +128,10 @@ class TabView(ABC):
                 self._plots[name].send(element)
             return
         self._size = size
-        self._plots = {name: Redrawn(element, size) for name, element in plots.items()}
+        self._plots = {
+            name: Redrawn(element, size, self.heights.get(name, HEIGHT))
+            for name, element in plots.items()
+        }
         narrowest = _NARROWEST if size != HALL else 1.5 * _NARROWEST
         for plot in self._plots.values():
             plot.root.styles = {"flex": f"1 1 {narrowest:.0f}px", "width": "auto", "min-width": "0"}

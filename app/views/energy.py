@@ -221,6 +221,6 @@ def _on_closing(columns: Mapping[str, np.ndarray]) -> str:
 def _figures(columns: Mapping[str, np.ndarray]) -> dict[str, str]:
     account = key_figures.energy_account(columns)
     terms = {TERMS[n][0].capitalize(): joules(account[n]) for n in _present(columns)}
-    missing = _share_missing(columns)
-    missing = "rounding" if missing <= key_figures.ROUNDING else joules(account["imbalance"])
+    closes = _share_missing(columns) <= key_figures.ROUNDING
+    missing = "rounding" if closes else joules(account["imbalance"])
     return {"Work done": joules(account["drive_work"]), **terms, "Missing": missing}

@@ -204,14 +204,22 @@ def _to_the_hardest_pull(
 
 
 def _differences(drawn: list[_Pair]) -> dict[str, hv.Overlay]:
-    found = [(pair.name, *pair.difference()) for pair in drawn]
-    largest = max(np.abs(pair.still.force).max(initial=0.0) for pair in drawn)
-    plots = {}
-    for name, title, unit, column, usual in (
-        ("newtons", "Force less the quasi-static one", "N", 2, _SHOWN * largest),
-        ("percent", "The same, as a share of it", "%", 3, 100 * _SHOWN),
-    ):
-        parts = [Line(p[0], p[1] * 1e6, p[column], RUN, DASHES[p[0]]) for p in found]
-        shown = window([part.y for part in parts], [np.array([-usual, usual])])
-        plots[name] = lines(title, _DEEP, f"Difference [{unit}]", parts, shown)
-    return plots
+    found = {pair.name: pair.difference() for pair in drawn}
+    newtons = [
+        Line(name, depth * 1e6, excess, RUN, DASHES[name])
+        for name, (depth, excess, _) in found.items()
+    ]
+    percent = [
+        Line(name, depth * 1e6, share, RUN, DASHES[name])
+        for name, (depth, _, share) in found.items()
+    ]
+    usual = _SHOWN * max(np.abs(pair.still.force).max(initial=0.0) for pair in drawn)
+    return {
+        "newtons": _difference("Force less the quasi-static one", "N", newtons, usual),
+        "percent": _difference("The same, as a share of it", "%", percent, 100 * _SHOWN),
+    }
+
+
+def _difference(title: str, unit: str, parts: list[Line], usual: float) -> hv.Overlay:
+    shown = window([part.y for part in parts], [np.array([-usual, usual])])
+    return lines(title, _DEEP, f"Difference [{unit}]", parts, shown)

@@ -85,3 +85,18 @@ def test_the_first_step_that_may_blow_up_is_the_first_below_zero() -> None:
     columns = {"stability_margin": np.array([1.0, 0.2, 0.0, np.nan, -0.1, 0.3, -2.0])}
     assert key_figures.first_unstable(columns) == 4
     assert key_figures.first_unstable({"stability_margin": np.ones(5)}) is None
+
+
+def test_energy_is_created_where_the_tread_gives_more_than_it_got() -> None:
+    layer = np.array([0.0, 1, 2, 1, 0.5, -0.5, 3])
+    assert key_figures.energy_created({"layer_work": layer}) == 5
+    assert key_figures.energy_created({"layer_work": np.abs(layer)}) is None
+    # 4 are exchanged, and what is left of them is rounding
+    assert key_figures.energy_created({"layer_work": np.array([2.0, -1e-12])}) is None
+    assert key_figures.energy_created({"layer_work": np.zeros(0)}) is None
+
+
+def test_the_imbalance_is_what_is_missing_in_each_step() -> None:
+    columns = {name: np.array([0.0, 1.0]) for name in key_figures.ACCOUNT}
+    columns["drive_work"] = np.array([0.5, 5.0])
+    assert key_figures.imbalance(columns).tolist() == [0.5, 0.0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, ClassVar
 
 import holoviews as hv
 import numpy as np
@@ -12,17 +12,17 @@ from tyrecontact import key_figures
 
 from ..runner import Baseline
 from .headline import three_digits
-from .lines import Line, dimensions, framed, lines
-from .style import BLUE, GREY, ORANGE, VERMILION
+from .lines import RUN, Line, behind, dimensions, framed, lines
+from .style import GREY, ORANGE, VERMILION
 from .tab import Reading, Seen, TabView
 
-#: term of the account -> name, colour, hatching: never colour alone
+#: term of the account -> name, colour, hatching and dash: never colour alone
 TERMS = {
-    "layer_work": ("tread", ORANGE, " "),
-    "spring_energy": ("springs", BLUE, "/"),
-    "machine_energy": ("machine", "#CC79A7", "x"),
-    "released_energy": ("releases", "#009E73", "."),
-    "algorithmic_loss": ("time steps", VERMILION, "-"),
+    "layer_work": ("tread", ORANGE, " ", "solid"),
+    "spring_energy": ("springs", RUN, "/", "dashed"),
+    "machine_energy": ("machine", "#CC79A7", "x", "dotdash"),
+    "released_energy": ("releases", "#009E73", ".", "dotted"),
+    "algorithmic_loss": ("time steps", VERMILION, "-", "dashdot"),
 }
 #: points of a curve
 _POINTS = 500
@@ -36,14 +36,16 @@ _GONE = {
     "spring_energy": "is held by the roughness springs",
     "machine_energy": "is held by the machine",
     "released_energy": "was lost as bonds broke",
-    "algorithmic_loss": "was lost within the time steps, in what is too fast for them",
+    "algorithmic_loss": "was lost to the coarseness of the time steps",
 }
-_PREFIXES = ("", "m", "µ", "n", "p", "f", "a")
+_PREFIXES = ("", "m", "µ", "n", "p", "f", "a")  #: no more is worth telling
 _TIME = "Time [ms]"
 
 
 class EnergyView(TabView):
     """Attributes: `root` to look at; `reading` what is shown."""
+
+    heights: ClassVar = {"missing": 220}
 
     @property
     def promise(self) -> str:
@@ -59,9 +61,11 @@ class EnergyView(TabView):
         created = key_figures.energy_created(columns)
         usual = _work_at_rest(seen.run.baseline)
         most = usual if created is not None else float(np.abs(columns["drive_work"]).max())
-        scale, prefix = _prefix(max(usual, most))
+        # of a run under way what is to come, so that the unit stays
+        scale, prefix = _prefix(most if seen.ended else max(usual, most))
         plots = {
             "account": _account(columns, scale, f"{prefix}J", None if created is None else usual),
+            "each": _each(columns),
             "missing": _missing(columns),
         }
         bad = created is not None
@@ -90,6 +94,8 @@ def _prefix(value: float) -> tuple[float, str]:
 def joules(value: float) -> str:
     """An energy [J] to three significant digits, with its unit."""
     scale, prefix = _prefix(abs(value))
+    if scale == 1 and abs(value) < 1:  # beyond the last prefix: of no account
+        return "0 J"
     return f"{three_digits(value * scale)} {prefix}J"
 
 
@@ -99,7 +105,7 @@ def _account(
     """Where the work has gone, stacked: what is below zero downwards, so that the sum is right."""
     steps = _some(len(columns["time"]))
     time, work = columns["time"][steps] * 1e3, columns["drive_work"][steps] * scale
-    terms = {name: columns[name][steps] * scale for name in TERMS if columns[name].any()}
+    terms = {name: columns[name][steps] * scale for name in _present(columns)}
     above, below = np.zeros(time.size), np.zeros(time.size)
     areas = []
     for name, values in terms.items():
@@ -112,13 +118,18 @@ def _account(
     )
 
 
+def _present(columns: Mapping[str, np.ndarray]) -> list[str]:
+    """Terms that take part in this run."""
+    return [name for name in TERMS if columns[name].any()]
+
+
 def _some(count: int) -> np.ndarray:
     """Steps of a curve, the last among them."""
     return np.unique(np.linspace(0, count - 1, min(count, _POINTS)).astype(int))
 
 
 def _area(name: str, time: np.ndarray, upper: np.ndarray, lower: np.ndarray, unit: str) -> hv.Area:
-    label, color, hatching = TERMS[name]
+    label, color, hatching, _ = TERMS[name]
 
     def hatch(plot: Any, _element: Any) -> None:
         plot.handles["glyph"].update(
@@ -146,12 +157,24 @@ def _work(
     )  # fmt: skip
 
 
+def _each(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
+    """Every term by itself, in full."""
+    steps = _some(len(columns["time"]))
+    time, names = columns["time"][steps] * 1e3, _present(columns)
+    scale, prefix = _prefix(max(float(np.abs(columns[n]).max()) for n in ("drive_work", *names)))
+    parts = [behind("work done", time, columns["drive_work"][steps] * scale)]
+    for name in names:
+        label, color, _, dash = TERMS[name]
+        parts.append(Line(label, time, columns[name][steps] * scale, color, dash))
+    return lines("Each share by itself", _TIME, f"Energy [{prefix}J]", parts)
+
+
 def _missing(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
-    missing = key_figures.imbalance(columns)
-    scale, prefix = _prefix(float(np.abs(missing).max()))
-    line = Line("missing", columns["time"] * 1e3, missing * scale, VERMILION, width=1.5)
-    title = "Missing from the account"
-    return lines(title, _TIME, f"Energy [{prefix}J]", [line], legend=False)
+    share = key_figures.imbalance(columns) / np.abs(columns["drive_work"]).max()
+    power = int(np.floor(np.log10(np.abs(share).max()))) if share.any() else 0
+    line = Line("missing", columns["time"] * 1e3, share / 10.0**power, VERMILION, width=1.5)
+    label = f"Share [1e{power}]" if power else "Share"
+    return lines("Missing from the account, of the work", _TIME, label, [line], legend=False)
 
 
 def _on_creation(columns: Mapping[str, np.ndarray], step: int) -> str:
@@ -159,9 +182,9 @@ def _on_creation(columns: Mapping[str, np.ndarray], step: int) -> str:
     deep = three_digits(columns["indentation"][step] * 1e6)
     return (
         f"From step {step} at {deep} µm on the tread has given back more energy than it got, "
-        f"{joules(-float(layer.min()))} more at the worst, which no tread can: the time stepping "
-        "makes energy, and what comes after is not to be believed. The plot is as high as a run "
-        "that goes well needs."
+        f"{joules(-float(layer.min()))} more at the worst, which no tread can: stepped in time, "
+        "its kernel makes energy out of nothing, and what comes after is not to be believed. The "
+        "first plot is as high as a run that goes well needs; the second shows all."
     )
 
 
@@ -180,11 +203,16 @@ def _on_account(columns: Mapping[str, np.ndarray]) -> str:
     return f"{text}. {_on_closing(columns)}"
 
 
+def _share_missing(columns: Mapping[str, np.ndarray]) -> float:
+    """The most that is missing from the account, of the most work."""
+    missing = np.abs(key_figures.imbalance(columns)).max()
+    return float(missing / np.abs(columns["drive_work"]).max())
+
+
 def _on_closing(columns: Mapping[str, np.ndarray]) -> str:
-    missing = float(np.abs(key_figures.imbalance(columns)).max())
-    share = missing / float(np.abs(columns["drive_work"]).max())
+    share = _share_missing(columns)
     if share > key_figures.ROUNDING:
-        return f"{joules(missing)} are missing from the account at the worst, more than rounding."
+        return f"{three_digits(100 * share)} % of it are missing, which is more than rounding."
     if share == 0:
         return "The account closes to the last digit."
     return f"The account closes to {share:.0e} of the work, which is rounding."
@@ -192,6 +220,7 @@ def _on_closing(columns: Mapping[str, np.ndarray]) -> str:
 
 def _figures(columns: Mapping[str, np.ndarray]) -> dict[str, str]:
     account = key_figures.energy_account(columns)
-    terms = {TERMS[n][0].capitalize(): joules(account[n]) for n in TERMS if columns[n].any()}
-    missing = joules(account["imbalance"])
+    terms = {TERMS[n][0].capitalize(): joules(account[n]) for n in _present(columns)}
+    closes = _share_missing(columns) <= key_figures.ROUNDING
+    missing = "rounding" if closes else joules(account["imbalance"])
     return {"Work done": joules(account["drive_work"]), **terms, "Missing": missing}

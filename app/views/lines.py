@@ -11,6 +11,8 @@ import numpy as np
 from .comparison import thinned
 from .style import GREY
 
+#: line of a run: readable on white and on black
+RUN = "#2F8FD0"
 Window = tuple[float, float] | None
 #: a run that goes wild is shown in so much more than a run that goes well takes
 _ROOM = 0.25
@@ -54,12 +56,20 @@ def lines(
 
 
 def framed(
-    overlay: hv.Overlay, title: str, window: Window = None, legend: bool = True
+    overlay: hv.Overlay,
+    title: str,
+    window: Window = None,
+    legend: bool = True,
+    across: Window = None,
 ) -> hv.Overlay:
-    """An overlay with its title, its legend above, and ranges that follow the data."""
+    """An overlay with its title, its legend above, and ranges that follow the data.
+
+    `window` and `across` are those of the vertical and of the horizontal axis.
+    """
     return overlay.opts(
         title=title, framewise=True, show_grid=True, legend_position="top", legend_cols=3,
-        show_legend=legend, ylim=window or (None, None), padding=(0, 0.05), backend="bokeh",
+        show_legend=legend, ylim=window or (None, None),
+        xlim=across or (None, None), padding=(0, 0.05), backend="bokeh",
     )  # fmt: skip
 
 

@@ -12,16 +12,14 @@ from tyrecontact.contact.bonds import ElementState
 
 from ..runner import Run
 from .headline import three_digits
-from .lines import Line, dimensions, framed, lines, tips
-from .style import GREY, VERMILION
+from .lines import RUN, Line, dimensions, framed, lines, tips
+from .style import ORANGE, VERMILION
 from .tab import Reading, Seen, TabView
 
 #: maps that are looked into for a curve
 _MAPS = 300
 #: an event that breaks this share of the bonds, or more of them, is called an avalanche
 _AVALANCHE = 0.2
-#: readable on white and on black
-_RUN, _PULLED = "#2F8FD0", "#E69F00"
 _TIME = "Time [ms]"
 _HOW = (
     'choose the preset "adhesion", or a release criterion above 0 N and a profile that unloads '
@@ -75,8 +73,8 @@ def _contacts(seen: Seen, pulled: Mapping[int, int]) -> hv.Overlay:
     columns = seen.columns
     time, steps = columns["time"] * 1e3, np.array(list(pulled))
     parts = [
-        Line("in contact", time, columns["contacts"].astype(float), _RUN),
-        Line("of them pulled", time[steps], np.array(list(pulled.values()), float), _PULLED,
+        Line("in contact", time, columns["contacts"].astype(float), RUN),
+        Line("of them pulled", time[steps], np.array(list(pulled.values()), float), ORANGE,
              "dashed"),
     ]  # fmt: skip
     if columns["releases"].any():
@@ -86,36 +84,27 @@ def _contacts(seen: Seen, pulled: Mapping[int, int]) -> hv.Overlay:
 
 
 def _steps(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
-    label = "Bonds broken"
+    label, time = "Bonds broken", columns["time"] * 1e3
     broke = np.flatnonzero(columns["releases"])
     x, y = dimensions(_TIME, label)
-    stems = hv.Spikes((columns["time"][broke] * 1e3, columns["releases"][broke]), x, y)
-    heads = hv.Scatter((columns["time"][broke] * 1e3, columns["releases"][broke]), x, y)
-    return framed(
-        hv.Overlay([
-            stems.opts(color=_RUN, line_width=2, framewise=True, backend="bokeh"),
-            heads.opts(color=_RUN, size=5, tools=["hover"], hover_tooltips=tips("", _TIME, label),
-                       framewise=True, backend="bokeh"),
-        ]),
-        "Bonds broken in each step", legend=False,
-    )  # fmt: skip
+    points = (time[broke], columns["releases"][broke])
+    stems = hv.Spikes(points, x, y).opts(color=RUN, line_width=1.5, framewise=True)
+    heads = hv.Scatter(points, x, y).opts(
+        color=RUN, size=5, tools=["hover"], hover_tooltips=tips("", _TIME, label), framewise=True
+    )
+    across = (float(time[0]), float(time[-1]))
+    return framed(hv.Overlay([stems, heads]), "Bonds broken in each step", None, False, across)
 
 
 def _sizes(sizes: np.ndarray) -> hv.Overlay:
-    """One bar a size up to a dozen or so; wider ones for what goes beyond."""
-    most = int(sizes.max())
-    edges = np.unique(np.ceil(np.geomspace(1, most + 1, 24)).astype(int))
-    if most <= 24:
-        edges = np.arange(1, most + 2)
-    events, edges = np.histogram(sizes, edges)
     x, y = dimensions("Bonds in the event", "Events")
-    bars = hv.Histogram((edges - 0.5, events), kdims=[x], vdims=[y])
-    shown = bars.opts(
-        fill_color=_RUN, fill_alpha=0.75, line_color=GREY, tools=["hover"],
-        hover_tooltips=tips("", "Bonds in the event", "Events"), framewise=True, backend="bokeh",
+    events = np.bincount(sizes)[1:]
+    bars = hv.Histogram((np.arange(events.size + 1) + 0.5, events), kdims=[x], vdims=[y]).opts(
+        fill_color=RUN, fill_alpha=0.75, line_color=RUN, tools=["hover"],
+        hover_tooltips=tips("", "Bonds in the event", "Events"), framewise=True,
     )  # fmt: skip
-    title = "Size of events: releases within 1 % of the drive's way"
-    return framed(hv.Overlay([shown]), title, legend=False)
+    title = "Sizes of events: releases within 1 % of the drive's way"
+    return framed(hv.Overlay([bars]), title, legend=False)
 
 
 def _by_force(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
@@ -124,7 +113,7 @@ def _by_force(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
     first = max(first, key_figures.turn(columns) or 0)
     left = columns["contacts"][first:].astype(float)
     force = columns["contact_force"][first:]
-    part = Line("in contact", force, left, _RUN)
+    part = Line("in contact", force, left, RUN)
     title = "Elements in contact against force, pulling off"
     return lines(title, "Force [N]", "Elements", [part], legend=False)
 

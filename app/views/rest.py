@@ -69,12 +69,12 @@ def _house(size: Size) -> Any:
         fig.update(min_border_left=64, min_border_right=16, output_backend="canvas")
         fig.axis.axis_label_text_font_style = "normal"
         for legend in fig.legend:
-            legend.update(border_line_alpha=0, background_fill_alpha=0, padding=0, margin=2)
+            legend.update(border_line_alpha=0, background_fill_alpha=0, padding=4, margin=0)
         size.apply(fig)
         for drawn in fig.renderers:
             glyph = drawn.glyph
-            # drawn again it is finished again, but its lines are as wide as it takes already
-            if isinstance(glyph, Line | Step) and "sized" not in glyph.tags:
-                glyph.update(line_width=glyph.line_width * size.line, tags=["sized"])
+            # as wide as the element says, whenever it is drawn: HoloViews sets that first
+            if isinstance(glyph, Line | Step):
+                glyph.line_width = glyph.line_width * size.line
 
     return finish

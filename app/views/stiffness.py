@@ -11,13 +11,15 @@ from tyrecontact import key_figures
 from tyrecontact.branches import Branch, branches
 
 from .headline import three_digits
-from .lines import Line, behind, lines, window
+from .lines import RUN, Line, behind, lines, window
 from .tab import Reading, Seen, TabView
 
 #: name of a branch -> dash of its line
 DASHES = {"loading": "solid", "unloading": "dashed"}
 #: shares of a force below this share of the largest tell nothing
 _TOLD = 0.02
+#: a branch with fewer points has no slope worth telling
+_LEAST = 5
 #: differences below this share are called small; below this one [%] there is none
 _SMALL, _NOTHING = 0.05, 0.02
 #: a stiffness that is within this share of the last one, this early, levels off
@@ -26,8 +28,6 @@ _LEVEL, _SOON = 0.9, 0.8
 _OFF = 0.25
 #: a difference is shown up to this share, where it goes beyond three times that
 _SHOWN = 0.1
-#: readable on white and on black
-_RUN = "#2F8FD0"
 _DEEP, _FORCE = "Indentation [µm]", "Force [N]"
 _STILL, _STIFF = "quasi-static", "Stiffness dF/dd [MN/m]"
 
@@ -59,7 +59,7 @@ class StiffnessView(TabView):
 
     def read(self, seen: Seen) -> Reading:
         pairs = _pairs(seen)
-        if not any(pair.run.depth.size > 2 for pair in pairs):
+        if not any(pair.run.depth.size >= _LEAST for pair in pairs):
             return Reading(_too_short(seen), seen.failed_at is not None)
         loading, unloading = pairs
         if seen.failed_at is not None and not unloading.run.depth.size:
@@ -87,8 +87,8 @@ def _too_short(seen: Seen) -> str:
     if not np.any(seen.columns["contact_force"]):
         return "Road and tread have not met yet: there is no stiffness before they do."
     if seen.ended:
-        return "No stiffness can be read off: the run ended before it had pressed for three steps."
-    return "The stiffness takes three steps in contact to show."
+        return "No stiffness can be read off: the run ended within a few steps of first touch."
+    return "The stiffness takes a few steps in contact to show."
 
 
 def _on_stiffness(pair: _Pair) -> str:
@@ -174,19 +174,19 @@ def _figures(seen: Seen, pairs: list[_Pair]) -> dict[str, str]:
 
 
 def _plots(pairs: list[_Pair]) -> dict[str, hv.Overlay]:
-    drawn = [pair for pair in pairs if pair.run.depth.size > 2]
+    drawn = [pair for pair in pairs if pair.run.depth.size >= _LEAST]
     run = {pair.name: pair.run.slope() for pair in drawn}
     still = {pair.name: pair.still.slope() for pair in drawn}
     seen = window([k / 1e6 for *_, k in run.values()], [k / 1e6 for *_, k in still.values()])
     by_depth = [
         *(behind(_STILL, d * 1e6, k / 1e6, DASHES[name]) for name, (d, _, k) in still.items()),
-        *(Line(name, d * 1e6, k / 1e6, _RUN, DASHES[name]) for name, (d, _, k) in run.items()),
+        *(Line(name, d * 1e6, k / 1e6, RUN, DASHES[name]) for name, (d, _, k) in run.items()),
     ]
     pressed = {name: _to_the_hardest_pull(*slope) for name, slope in run.items()}
     at_rest = {name: _to_the_hardest_pull(*slope) for name, slope in still.items()}
     by_force = [
         *(behind(_STILL, f, k / 1e6, DASHES[name]) for name, (f, k) in at_rest.items()),
-        *(Line(name, f, k / 1e6, _RUN, DASHES[name]) for name, (f, k) in pressed.items()),
+        *(Line(name, f, k / 1e6, RUN, DASHES[name]) for name, (f, k) in pressed.items()),
     ]
     return {
         "by depth": lines("Stiffness against indentation", _DEEP, _STIFF, by_depth, seen),
@@ -204,14 +204,22 @@ def _to_the_hardest_pull(
 
 
 def _differences(drawn: list[_Pair]) -> dict[str, hv.Overlay]:
-    found = [(pair.name, *pair.difference()) for pair in drawn]
-    largest = max(np.abs(pair.still.force).max(initial=0.0) for pair in drawn)
-    plots = {}
-    for title, unit, column, usual in (
-        ("Force less the quasi-static one", "N", 2, _SHOWN * largest),
-        ("The same, as a share of it", "%", 3, 100 * _SHOWN),
-    ):
-        parts = [Line(p[0], p[1] * 1e6, p[column], _RUN, DASHES[p[0]]) for p in found]
-        shown = window([part.y for part in parts], [np.array([-usual, usual])])
-        plots[title] = lines(title, _DEEP, f"Difference [{unit}]", parts, shown)
-    return plots
+    found = {pair.name: pair.difference() for pair in drawn}
+    newtons = [
+        Line(name, depth * 1e6, excess, RUN, DASHES[name])
+        for name, (depth, excess, _) in found.items()
+    ]
+    percent = [
+        Line(name, depth * 1e6, share, RUN, DASHES[name])
+        for name, (depth, _, share) in found.items()
+    ]
+    usual = _SHOWN * max(np.abs(pair.still.force).max(initial=0.0) for pair in drawn)
+    return {
+        "newtons": _difference("Force less the quasi-static one", "N", newtons, usual),
+        "percent": _difference("The same, as a share of it", "%", percent, 100 * _SHOWN),
+    }
+
+
+def _difference(title: str, unit: str, parts: list[Line], usual: float) -> hv.Overlay:
+    shown = window([part.y for part in parts], [np.array([-usual, usual])])
+    return lines(title, _DEEP, f"Difference [{unit}]", parts, shown)

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from html import escape
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import panel as pn
@@ -15,11 +15,11 @@ import panel as pn
 from tyrecontact.steps import SCALARS
 
 from ..runner import Phase, Run
-from .rest import Redrawn
+from .rest import HEIGHT, Redrawn
 from .style import DESK, HALL, Size
 
-#: a run under way is drawn anew when so many times the last drawing's cost has passed
-_PATIENCE = 10
+#: a run under way is drawn anew when so many times the last drawing's cost has passed; the most [s]
+_PATIENCE, _LONGEST = 10, 4.0
 #: of a plot [px]: two fit beside each other on a desktop, and not on a phone
 _NARROWEST = 400
 
@@ -30,6 +30,7 @@ _STYLE = """
 .label { opacity: 0.78; }
 .value { font-weight: 600; font-variant-numeric: tabular-nums; white-space: nowrap; }
 """
+_WRAP = ":host { flex-wrap: wrap; gap: 4px; }"
 
 
 @dataclass(frozen=True)
@@ -72,16 +73,20 @@ class Reading:
 
 
 class TabView(ABC):
-    """Attributes: `root` to look at; `reading` what is shown."""
+    """Attributes: `root` to look at; `reading` what is shown; `heights` name of a plot -> [px]."""
+
+    heights: ClassVar[Mapping[str, int]] = {}
 
     def __init__(self) -> None:
         self.reading = Reading("")
         self._words = pn.pane.HTML(
             "", stylesheets=[_STYLE], sizing_mode="stretch_width", margin=(8, 6)
         )
-        self._grid = pn.FlexBox(gap="4px", sizing_mode="stretch_width")
+        # no FlexBox: the page's theme does not reach what is put into one later
+        self._grid = pn.Row(sizing_mode="stretch_width", stylesheets=[_WRAP], margin=0)
         self.root = pn.Column(self._words, self._grid, sizing_mode="stretch_width")
         self._plots: dict[str, Redrawn] = {}
+        self._waiting: dict[str, Any] = {}
         self._shown: tuple[Any, ...] = ()
         self._size = DESK
         self._due = 0.0
@@ -108,7 +113,8 @@ class TabView(ABC):
         self.reading = self._read(run, count)
         self._draw(size)
         self._shown = shown
-        self._due = time.monotonic() + _PATIENCE * (time.monotonic() - began)
+        cost = time.monotonic() - began
+        self._due = time.monotonic() + min(_PATIENCE * cost, _LONGEST)
 
     def _read(self, run: Run | None, count: int) -> Reading:
         if run is None or run.record is None or not count:
@@ -119,17 +125,42 @@ class TabView(ABC):
     def _draw(self, size: Size) -> None:
         self._words.object = _html(self.reading, size)
         plots = self.reading.plots
-        fits = size == self._size and list(plots) == list(self._plots)
-        if fits and all(self._plots[name].takes(element) for name, element in plots.items()):
-            for name, element in plots.items():
-                self._plots[name].send(element)
+        fits = size == self._size and list(plots) == [*self._plots, *self._waiting]
+        if fits and all(shown.takes(plots[name]) for name, shown in self._plots.items()):
+            for name, shown in self._plots.items():
+                shown.send(plots[name])
+            self._waiting = {name: plots[name] for name in self._waiting}
             return
-        self._size = size
-        self._plots = {name: Redrawn(element, size) for name, element in plots.items()}
-        narrowest = _NARROWEST if size != HALL else 1.5 * _NARROWEST
-        for plot in self._plots.values():
-            plot.root.styles = {"flex": f"1 1 {narrowest:.0f}px", "width": "auto", "min-width": "0"}
-        self._grid.objects = [plot.root for plot in self._plots.values()]
+        self._size, self._plots, self._waiting = size, {}, dict(plots)
+        self._grid.objects = [
+            pn.Spacer(height=self._height(name), styles=self._styles) for name in plots
+        ]
+        self._make_next()
+
+    def _make_next(self) -> None:
+        """Make a plot, and the next one in its own time: a visitor's clicks come in between."""
+        if not self._waiting:
+            return
+        name = next(iter(self._waiting))
+        plot = Redrawn(self._waiting.pop(name), self._size, self._height(name))
+        plot.root.styles = self._styles
+        self._grid[len(self._plots)] = plot.root
+        self._plots[name] = plot
+        document = pn.state.curdoc
+        if document is None or document.session_context is None:  # as in tests
+            self._make_next()
+        else:
+            document.add_next_tick_callback(self._make_next)
+
+    def _height(self, name: str) -> int:
+        return self.heights.get(name, HEIGHT)
+
+    @property
+    def _styles(self) -> dict[str, str]:
+        narrowest = _NARROWEST if self._size != HALL else 1.5 * _NARROWEST
+        # never three in a row
+        basis = f"max({narrowest:.0f}px, 34%)"
+        return {"flex": f"1 1 {basis}", "width": "auto", "min-width": "0"}
 
 
 def _is_bad(run: Run) -> bool:

@@ -1,0 +1,90 @@
+"""The stiffness tab: its curves, its sentence, and what it says where there is nothing to see."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from app.runner import Run
+from app.views.stiffness import StiffnessView
+from tyrecontact import Scenario
+
+
+def curve(view: StiffnessView, plot: str, label: str) -> dict:
+    (found,) = [part for part in view.reading.plots[plot] if part.label == label]
+    return found.columns()
+
+
+def test_before_a_run_it_says_what_will_be_there() -> None:
+    view = StiffnessView()
+    view.show(None)
+    assert "Press Run" in view.reading.sentence
+    assert not view.reading.plots
+
+
+def test_a_ramp_has_one_branch_and_its_final_stiffness(finished: Run) -> None:
+    view = StiffnessView()
+    view.show(finished)
+    loading = curve(view, "by depth", "loading")
+    assert loading["x"][-1] == pytest.approx(100, rel=0.01)
+    results = finished.results()
+    assert results is not None
+    assert results.final_stiffness is not None
+    late = loading["x"] >= 92
+    assert loading["y"][late].mean() == pytest.approx(results.final_stiffness / 1e6, rel=0.05)
+    assert not [part for part in view.reading.plots["by depth"] if part.label == "unloading"]
+    assert not view.reading.bad
+    assert "stiffens" in view.reading.sentence
+    assert view.reading.figures["Final stiffness"].endswith("MN/m")
+
+
+def test_the_difference_is_to_the_quasi_static_run(finished: Run) -> None:
+    view = StiffnessView()
+    view.show(finished)
+    newtons, still = curve(view, "newtons", "loading"), finished.baseline
+    assert still is not None
+    results = finished.results()
+    assert results is not None
+    due = np.interp(newtons["x"] * 1e-6, still.indentation, still.contact_force)
+    got = np.interp(newtons["x"] * 1e-6, results.indentation, results.contact_force)
+    np.testing.assert_allclose(newtons["y"], got - due, atol=1e-9)
+    percent = curve(view, "percent", "loading")
+    known = np.isfinite(percent["y"])
+    assert known.any()
+    assert not known.all()  # shares of next to nothing
+    np.testing.assert_allclose(percent["y"][known], 100 * (got[known] / due[known] - 1), rtol=1e-6)
+
+
+def test_unloading_is_told_from_loading(pulled: Run) -> None:
+    view = StiffnessView()
+    view.show(pulled)
+    assert curve(view, "by depth", "unloading")["y"].min() < 0
+    assert "where bonds break" in view.reading.sentence
+    assert curve(view, "by force", "unloading")["x"].min() < 0
+
+
+def test_a_quasi_static_run_differs_from_itself_by_nothing(small: Scenario) -> None:
+    small.numerics.kernel = "static"
+    run = Run(small)
+    run.start()
+    assert run.join(60)
+    view = StiffnessView()
+    view.show(run)
+    assert "is that of the quasi-static run" in view.reading.sentence
+
+
+def test_a_run_that_fails_is_shown_as_far_as_it_went_well(wild: Run) -> None:
+    results = wild.results()
+    assert results is not None
+    assert results.failed_at is not None
+    view = StiffnessView()
+    view.show(wild)
+    assert view.reading.bad
+    failed = results.indentation[results.failed_at] * 1e6
+    named = re.search(r"From ([\d.]+) µm on steps did not converge", view.reading.sentence)
+    assert named
+    assert float(named[1]) == pytest.approx(failed, rel=0.01)
+    assert curve(view, "by depth", "loading")["x"].max() < failed
+    assert "Final stiffness" not in view.reading.figures

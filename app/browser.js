@@ -60,7 +60,9 @@ export function render({model, el}) {
   })
   model.on("msg:custom", async (message) => {
     if (message.copy !== undefined) { model.send_msg({copied: await copy(message.copy)}) }
-    if (message.scale !== undefined) { document.documentElement.style.setProperty("--scale", message.scale) }
+    for (const [name, value] of Object.entries(message.style ?? {})) {
+      document.documentElement.style.setProperty(name, value)
+    }
   })
   model.send_msg({width: window.innerWidth, address: window.location.href.split(/[?#]/)[0]})
   el.style.display = "none"

@@ -57,9 +57,9 @@ class Browser(JSComponent):
         """Put a text into the clipboard; `on_copied` is called with whether it worked."""
         self._send_msg({"copy": text})
 
-    def scale_type(self, factor: float) -> None:
-        """Scale the page's own type: 1 at a desk, more in a lecture hall."""
-        self._send_msg({"scale": factor})
+    def set_style(self, **values: str) -> None:
+        """Set variables of the page's style: `scale` of its type, height `taken` from plots."""
+        self._send_msg({"style": {f"--{name}": value for name, value in values.items()}})
 
     def _handle_msg(self, data: Any) -> None:
         """What the browser says; anyone can make it say anything."""

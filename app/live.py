@@ -20,10 +20,11 @@ from .views.style import GREY, VERMILION, Size, horizontal
 #: milliseconds from a change of what a plot shows until a long run is drawn in full there
 _LOOK = 200
 #: heights that fill a screen and no more: what stands above and below is taken off
-_FORCE = "clamp(230px, calc((100vh - 322px) * 0.6), 640px)"
-_ITERATIONS = "clamp(190px, calc((100vh - 322px) * 0.4), 420px)"
+_LEFT = "(100vh - 322px - var(--taken, 0px))"
+_FORCE = f"clamp(230px, calc({_LEFT} * 0.6), 640px)"
+_ITERATIONS = f"clamp(190px, calc({_LEFT} * 0.4), 420px)"
 #: the map is square, and so no wider than there is height
-_MAP = "calc((100vh - 322px) * 0.9)"
+_MAP = f"max(330px, calc({_LEFT} * 0.87))"
 
 #: one column on a phone
 _TWO_COLUMNS = """

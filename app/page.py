@@ -53,8 +53,8 @@ def lay_out(session: Session) -> pmui.Page:
         sidebar=session.whatif.root,
         main=[
             pn.Column(
-                session.headline.root, session.teaching.card.root, session.tabs.root, session.browser,
-                session.dialogs.root, session.controls.road_file.dialog,
+                session.headline.root, session.teaching.card.root, session.tabs.root,
+                session.browser, session.dialogs.root, session.controls.road_file.dialog,
                 sizing_mode="stretch_width", margin=0,
             )
         ],

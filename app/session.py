@@ -213,7 +213,7 @@ class Session:
         """Presentation mode: large type, and nothing beside the plots; or back."""
         self._large = not self._large
         size = HALL if self._large else DESK
-        self.browser.scale_type(size.tick / DESK.tick)
+        self.browser.set_style(scale=f"{size.tick / DESK.tick:.2f}")
         self.live.enlarge(size)
         self.tabs.enlarge(size)
         self.teaching.enlarge(size)

@@ -10,6 +10,9 @@ from .views.style import Size
 if TYPE_CHECKING:
     from .session import Session
 
+#: of a lesson's strip: the plots below make room for it
+_HEIGHT = "140px"
+
 
 class Teaching:
     """The lesson of one session.
@@ -26,6 +29,7 @@ class Teaching:
     def begin(self, name: str) -> None:
         """Start a lesson, at the live plots."""
         self._session.tabs.open("Watch")
+        self._session.browser.set_style(taken=_HEIGHT)
         self.card.start(name)
 
     def enlarge(self, size: Size) -> None:
@@ -49,3 +53,4 @@ class Teaching:
 
     def _over(self) -> None:
         self._session.live.point_at("")
+        self._session.browser.set_style(taken="0px")

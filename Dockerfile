@@ -20,6 +20,8 @@ RUN tyrecontact run default --json && tyrecontact run thesis-instability --json 
 EXPOSE 5006
 # an address other than localhost has to be named: -e BOKEH_ALLOW_WS_ORIGIN=contact.example.org
 ENV BOKEH_ALLOW_WS_ORIGIN=localhost:5006
+# what one visitor may take of a public server; each can be set anew with -e, and left out with ""
+ENV TYRECONTACT_MAX_SESSIONS=40 TYRECONTACT_MAX_RUNS=2 TYRECONTACT_MAX_STEPS=100000 TYRECONTACT_MAX_ELEMENTS=64 TYRECONTACT_MAX_SECONDS=600 TYRECONTACT_MAX_UPLOAD=100
 HEALTHCHECK --interval=30s --timeout=5s --start-period=20s \
   CMD ["python", "-c", "import urllib.request as u; u.urlopen('http://localhost:5006/liveness', timeout=4)"]
 CMD ["panel", "serve", "app", "--address", "0.0.0.0", "--port", "5006", "--liveness"]

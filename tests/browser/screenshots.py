@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
 import time
 import urllib.request
+from collections.abc import Callable
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
@@ -14,14 +16,9 @@ from playwright.sync_api import Page, sync_playwright
 ROOT = Path(__file__).parents[2]
 PORT = 5077
 DESKTOP = {"width": 1440, "height": 900}
-#: file -> colour scheme, preset, sentence to wait for, steps to wait for
-SHOTS = {
-    "instability.png": ("light", "thesis-instability", "Step ", 335),
-    "adhesion.png": ("dark", "adhesion", "Step ", 420),
-}
 
 
-def main() -> None:
+def main(names: list[str]) -> None:
     command = [sys.executable, "-m", "panel", "serve", "app", "--port", str(PORT), "--liveness"]
     server = subprocess.Popen(command, cwd=ROOT)
     try:
@@ -30,9 +27,16 @@ def main() -> None:
             browser = playwright.chromium.launch(
                 executable_path=shutil.which("chromium"), args=["--headless", "--no-sandbox"]
             )
-            for name, (scheme, preset, sentence, rows) in SHOTS.items():
-                tab = browser.new_page(viewport=DESKTOP, color_scheme=scheme)
-                _shoot(tab, scheme, preset, sentence, rows)
+            for name in names or SHOTS:
+                dark, prepare = SHOTS[name]
+                tab = browser.new_page(viewport=DESKTOP)
+                tab.set_default_timeout(120_000)
+                tab.goto(f"http://localhost:{PORT}/app")
+                tab.get_by_text("Press Run").wait_for()
+                if dark:
+                    tab.get_by_role("button", name="Toggle theme").click()
+                prepare(tab)
+                time.sleep(1.5)
                 tab.screenshot(path=ROOT / "assets" / name)
                 tab.close()
             browser.close()
@@ -50,19 +54,88 @@ def _wait_until_alive() -> None:
     raise SystemExit("the server did not answer")
 
 
-def _shoot(tab: Page, scheme: str, preset: str, sentence: str, rows: int) -> None:
-    tab.goto(f"http://localhost:{PORT}/app")
-    tab.get_by_text("Press Run").wait_for(timeout=60_000)
-    if scheme == "dark":
-        tab.get_by_role("button", name="Toggle theme").click()
-    tab.get_by_role("combobox", name="Preset").click()
-    tab.get_by_role("menuitem", name=preset, exact=True).click()
+def _choose(tab: Page, preset: str) -> None:
+    tab.locator("header").get_by_role("button", name=re.compile("default|thesis|adhesion")).click()
+    tab.get_by_role("button", name=re.compile(f"^{preset}\\b")).first.click()
+    tab.locator("header").get_by_role("button", name=preset, exact=True).wait_for()
+    time.sleep(1.0)
+
+
+def _run(tab: Page, until: str = "Complete") -> None:
     tab.get_by_role("button", name="Run", exact=True).click()
-    tab.get_by_role("status").filter(has_text=sentence).wait_for(timeout=60_000)
+    time.sleep(1.0)
+    tab.get_by_role("status").filter(has_text=re.compile(until)).wait_for()
+
+
+def _rows(tab: Page, count: int) -> None:
     script = "n => Bokeh.documents[0].get_model_by_name('force').data.force.length >= n"
-    tab.wait_for_function(script, arg=rows, timeout=120_000)
-    time.sleep(0.5)
+    tab.wait_for_function(script, arg=count)
+
+
+def _tap_map(tab: Page, x: float, y: float) -> None:
+    box = tab.locator(".bk-Figure").nth(2).bounding_box()
+    assert box is not None
+    tab.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
+
+
+def _instability(tab: Page) -> None:
+    _choose(tab, "thesis-instability")
+    tab.get_by_role("button", name="Run", exact=True).click()
+    _rows(tab, 335)
+
+
+def _adhesion(tab: Page) -> None:
+    _choose(tab, "adhesion")
+    tab.get_by_role("button", name="Run", exact=True).click()
+    _rows(tab, 420)
+
+
+def _element(tab: Page) -> None:
+    _choose(tab, "adhesion")
+    tab.get_by_role("button", name="Run", exact=True).click()
+    _rows(tab, 300)
+    _tap_map(tab, 0.55, 0.3)
+    time.sleep(2.0)
+    tab.mouse.move(700, 600)
+    tab.mouse.wheel(0, 2000)
+
+
+def _compare(tab: Page) -> None:
+    tab.get_by_role("combobox", name="Pace of a run").click()
+    tab.get_by_role("menuitem", name="as fast as it can").click()
+    for preset in ("quasi-static", "thesis-factor-2", "thesis-factor-4"):
+        _choose(tab, preset)
+        _run(tab)
+        tab.get_by_role("button", name=re.compile("^Pin")).first.click()
+        time.sleep(1.0)
+    tab.get_by_role("tab", name="Compare").click()
+    time.sleep(3.0)
+
+
+def _lesson(tab: Page) -> None:
+    tab.get_by_role("tab", name="Lessons").click()
+    tab.get_by_role("button", name=re.compile("Why the thesis")).click()
+    time.sleep(1.0)
+    tab.get_by_role("button", name="It jumps from step to step").click()
+    _run(tab)
+
+
+def _theory(tab: Page) -> None:
+    tab.get_by_role("tab", name="Theory").click()
+    time.sleep(2.0)
+    tab.get_by_role("link", name=re.compile("blows up")).first.click()
+
+
+#: file -> whether dark, and what is to be seen
+SHOTS: dict[str, tuple[bool, Callable[[Page], None]]] = {
+    "instability.png": (False, _instability),
+    "adhesion.png": (True, _adhesion),
+    "element.png": (False, _element),
+    "compare.png": (False, _compare),
+    "lesson.png": (False, _lesson),
+    "theory.png": (True, _theory),
+}
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

@@ -60,7 +60,7 @@ class Header:
             ("Presets", self.preset), ("Share", self.share), ("Help", self.help)
         ):  # fmt: skip
             copy = pmui.Button(label=label, **small)
-            copy.on_click(lambda _, button=button: button.param.trigger("value"))
+            copy.on_click(lambda _, button=button: button.param.trigger("clicks"))
             below.append(copy)
         return pn.Row(*below, margin=(0, 6))
 

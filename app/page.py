@@ -61,6 +61,7 @@ def lay_out(session: Session) -> pmui.Page:
         sidebar_open=not _on_a_phone(),
         theme_config=_THEME,
         busy_indicator=None,
+        sidebar_resizable=False,  # its handle has no name for who cannot see it
     )  # fmt: skip
     page.param.watch(lambda event: session.live.darken(event.new), "dark_theme")
     session.browser.on_width = lambda width: _make_room(page, session, width)

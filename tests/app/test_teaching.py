@@ -1,0 +1,46 @@
+"""Lessons on the page: what they put into the form, where they point, what they keep."""
+
+from __future__ import annotations
+
+import pytest
+
+from app.lessons import lessons
+from app.session import Session
+from app.views.style import VERMILION
+
+
+@pytest.fixture
+def session() -> Session:
+    return Session()
+
+
+@pytest.mark.parametrize("name", list(lessons()))
+def test_a_lesson_puts_each_of_its_scenarios_into_the_form(session: Session, name: str) -> None:
+    session.teaching.begin(name)
+    lesson = lessons()[name]
+    for index in range(len(lesson.steps)):
+        preset, settings = lesson.scenario(index)
+        assert session.controls.preset == preset
+        assert session.headline.notice == ""
+        for path, value in settings.items():
+            assert session.controls.value(path) == value
+        session.teaching.card._pressed({"do": "next"})
+    assert session.teaching.card.lesson is None
+
+
+def test_a_lesson_frames_the_plot_it_speaks_of_until_it_is_over(session: Session) -> None:
+    session.teaching.begin(next(iter(lessons())))
+    session.teaching._point("force")
+    assert session.live.force.root.outline_line_color == VERMILION
+    session.teaching.card.leave()
+    assert session.live.force.root.outline_line_color != VERMILION
+
+
+def test_a_lesson_opens_the_tab_it_speaks_of(session: Session) -> None:
+    session.tabs.open("Lessons")
+    session.teaching.begin(next(iter(lessons())))
+    assert session.tabs.title == "Watch"
+    session.teaching._point("stiffness")
+    assert session.tabs.title == "Stiffness"
+    session.teaching._point("element")
+    assert session.tabs.title == "Watch"

@@ -20,6 +20,8 @@ from .tab import Reading, Seen, TabView
 _MAPS = 300
 #: an event that breaks this share of the bonds, or more of them, is called an avalanche
 _AVALANCHE = 0.2
+#: of fewer bonds nothing of the kind is said
+_JUDGED = 20
 _TIME = "Time [ms]"
 _HOW = (
     'choose the preset "adhesion", or a release criterion above 0 N and a profile that unloads '
@@ -137,7 +139,7 @@ def _sentence(seen: Seen, sizes: np.ndarray) -> str:
     if sizes.size == 1:
         text = f"{broken} bonds have broken, all in one event. "
     share = largest / broken
-    if broken > 1 and sizes.size > 1:
+    if broken >= _JUDGED and sizes.size > 1:
         kind = "an avalanche" if share >= _AVALANCHE else "no avalanche: they let go bit by bit"
         text += f"The largest took {largest} of them ({three_digits(100 * share)} %), {kind}. "
     pull = -float(columns["contact_force"].min())

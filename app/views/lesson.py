@@ -24,7 +24,7 @@ class LessonStrip(JSComponent):
     pressed: Callable[[dict[str, Any]], None] | None = None
 
     _esm = _HERE / "lesson.js"
-    _stylesheets: ClassVar = [_HERE / "lesson.css"]
+    _stylesheets: ClassVar = [(_HERE / "lesson.css").read_text(encoding="utf-8")]
 
     def _handle_msg(self, msg: Any) -> None:
         if isinstance(msg, dict) and self.pressed is not None:

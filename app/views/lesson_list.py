@@ -24,7 +24,7 @@ class LessonCards(JSComponent):
     chosen: Callable[[Any], None] | None = None
 
     _esm = _HERE / "lesson_list.js"
-    _stylesheets: ClassVar = [_HERE / "lesson_list.css"]
+    _stylesheets: ClassVar = [(_HERE / "lesson_list.css").read_text(encoding="utf-8")]
 
     def _handle_msg(self, msg: Any) -> None:
         if self.chosen is not None:

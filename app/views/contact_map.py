@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from bokeh.events import Tap
+from bokeh.events import Press, Tap
 
 from tyrecontact.contact.bonds import ElementState
 from tyrecontact.errors import unknown_name
@@ -42,7 +42,9 @@ class ContactMapView:
         self._followed: tuple[int, int] | None = None
         self.clear()
         self.enlarge(DESK)
-        self.root.on_event(Tap, self._tapped)
+        # while a busy browser draws a run, it takes a tap for a long press
+        for kind in (Tap, Press):
+            self.root.on_event(kind, self._tapped)
 
     @property
     def scale(self) -> Scale:

@@ -56,7 +56,7 @@ class MapFigure:
         self.root: Any = figure(
             x_axis_label="x [mm]", y_axis_label="y [mm]", x_range=ranges[0], y_range=ranges[1],
             match_aspect=True, sizing_mode="scale_width", tools="save", toolbar_location="above",
-            output_backend="canvas", min_border_right=14, outline_line_color=None,
+            output_backend="canvas", min_border_right=20, outline_line_color=None,
         )  # fmt: skip
         self._draw()
         for data_range in ranges:

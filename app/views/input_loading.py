@@ -117,7 +117,12 @@ class LoadingInput:
         rate = self.rate * factor
         x, y = thinned(self._shown_time, np.append(rate, rate[-1]))
         drawn = hv.Curve((x, y), self._axis, f"Rate [{unit}]")
-        drawn = drawn.opts(color=BLUE, line_width=1.8, interpolation="steps-post")
+        low, high = min(0.0, float(y.min())), max(0.0, float(y.max()))
+        room = 0.08 * (high - low) or 1.0
+        # zero is in view: a constant rate is constant, whatever the rounding of its differences
+        drawn = drawn.opts(
+            color=BLUE, line_width=1.8, interpolation="steps-post", ylim=(low - room, high + room)
+        )
         return self._plot(drawn, "Rate of loading", size)
 
     @property

@@ -21,6 +21,10 @@ def test_all_steps_are_drawn_with_their_rate(small: Scenario) -> None:
     assert len(marks) == len(simulation)
     rate = loading.draw_rate(DESK).object
     np.testing.assert_allclose(rate["Rate [mm/s]"], 100, rtol=0.02)
+    # not a picture of the rounding of a constant
+    axis = loading.draw_rate(DESK).get_root().children[0].y_range
+    assert axis.start < 0
+    assert axis.end > 100
     assert loading.facts["Steps"] == str(len(simulation))
     assert loading.facts["Time step"] == "19.5 µs"
     assert loading.facts["Largest"] == "100 µm"

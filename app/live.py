@@ -14,6 +14,7 @@ from .views.contact_map import ContactMapView
 from .views.element import ElementView
 from .views.force import ForceView
 from .views.iterations import IterationsView
+from .views.legend import LegendView
 from .views.map_modes import MODES
 from .views.style import GREY, VERMILION, Size, horizontal
 
@@ -48,7 +49,7 @@ class Live:
         self.contact_map, self.element = ContactMapView(), ElementView()
         self.contact_map.on_tap = self.element.follow
         self.element.on_follow = self._follow
-        self.player = Player()
+        self.player, self.legend = Player(), LegendView()
         self.player.on_change = redraw
         self.axis = pmui.RadioButtonGroup(
             options=["indentation", "time"], value="indentation",
@@ -93,6 +94,7 @@ class Live:
         if high > low or ended:
             self.force.update(run.record, low, high, ended)
             self.iterations.update(run.record, low, high, ended)
+            self.legend.show_failed(len(self.force.failed.data["force"]) > 0)
             self._drawn = high
         if high:
             self.player.update(high, len(run.simulation), run.record.columns)
@@ -121,11 +123,11 @@ class Live:
         self.iterations.look()
 
     def darken(self, dark: bool) -> None:
-        for view in (self.force, self.iterations, self.element):
+        for view in (self.force, self.iterations, self.element, self.legend):
             view.darken(dark)
 
     def enlarge(self, size: Size) -> None:
-        for view in (self.force, self.iterations, self.contact_map, self.element):
+        for view in (self.force, self.iterations, self.contact_map, self.element, self.legend):
             view.enlarge(size)
 
     def _prepare(self, run: Run) -> None:
@@ -194,8 +196,9 @@ class Live:
                 filled, sizing_mode="stretch_width", margin=0, styles={"height": height}
             )
 
+        top = pn.Row(self.axis, self.legend.root, sizing_mode="stretch_width", margin=0)
         curves = pn.Column(
-            self.axis, plot(self.force.root, _FORCE), plot(self.iterations.root, _ITERATIONS),
+            top, plot(self.force.root, _FORCE), plot(self.iterations.root, _ITERATIONS),
             sizing_mode="stretch_width", margin=0,
         )  # fmt: skip
         touching = pn.Column(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from bokeh.models import ColumnDataSource
 
@@ -27,26 +29,21 @@ class ForceView:
         self.root = plot("Contact force", "Force [N]", None, top=_TOP)
         self.cursor = cursor(self.root)
         self._glyphs = []
-        self._line(self.baseline, GREY, 5, "quasi-static", alpha=0.55)
-        line = self._run = self._line(self.source, RUN_COLOR[False], 2, "this run")
+        self._line(self.baseline, GREY, 5, alpha=0.55)
+        line = self._run = self._line(self.source, RUN_COLOR[False], 2)
         marks = self.root.scatter(
             "indentation_um", "force", source=self.failed, marker="x", size=7,
-            line_color=VERMILION, line_width=2, legend_label="not converged",
+            line_color=VERMILION, line_width=2,
         )  # fmt: skip
         self._glyphs.append(marks)
         tips = [("force", "@force{0.0} N"), ("indentation", "@indentation_um{0.0} µm")]
         hover(self.root, line, [*tips, ("time", "@time_ms{0.000} ms")], "mouse")
-        self._failed_entry = self.root.legend[0].items[-1]
-        self._failed_entry.visible = False
-        self.root.legend[0].update(
-            location="top_left", border_line_alpha=0, background_fill_alpha=0, padding=4
-        )
         self.root.min_border_right = 74  # as the plot below, whose second axis stands there
 
-    def _line(self, source: ColumnDataSource, color: str, width: float, label: str, alpha=1.0):
+    def _line(self, source: ColumnDataSource, color: str, width: float, alpha: float = 1.0) -> Any:
         line = self.root.line(
             "indentation_um", "force", source=source, line_color=color, line_width=width,
-            line_alpha=alpha, legend_label=label,
+            line_alpha=alpha,
         )  # fmt: skip
         self._glyphs.append(line)
         return line
@@ -78,7 +75,6 @@ class ForceView:
         self._all.clear()
         self._bad.clear()
         self.baseline.data = {name: [] for name in _COLUMNS}
-        self._failed_entry.visible = False
 
     def compare_with(self, baseline: Baseline, fit: bool = True) -> None:
         """Draw the quasi-static run, and fit the vertical axis to it."""
@@ -97,8 +93,6 @@ class ForceView:
         self._all.update(columns, np.arange(high), ended)
         self._make_room_for(columns["contact_force"][low:high])
         bad = np.flatnonzero(columns["converged"][:high] == 0)
-        if bool(bad.size) != self._failed_entry.visible:
-            self._failed_entry.visible = bool(bad.size)
         self._bad.update(columns, bad, ended)
 
     def _make_room_for(self, force: np.ndarray) -> None:

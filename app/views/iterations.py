@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from bokeh.models import LinearAxis, Range1d, Span
 
 from tyrecontact.results import Record
 
-from .style import GREY, RUN_COLOR, VERMILION, Horizontal, Size, cursor, hover, plot, put_on
+from .style import (
+    GREY,
+    MARGIN_COLOR,
+    RUN_COLOR,
+    VERMILION,
+    Horizontal,
+    Size,
+    cursor,
+    hover,
+    plot,
+    put_on,
+)
 from .trace import Trace
 
 #: vertical range at first, if more iterations than that are allowed
 _SHOWN = 10
-#: Okabe and Ito's purple: the margin
-_MARGIN_COLOR = "#CC79A7"
 #: of the margin on show; a run that blows up leaves it, and is lost by then
 _MARGINS = (-1.0, 1.1)
 
@@ -34,41 +45,31 @@ class IterationsView:
         margin = self._margin_line()
         line = self.root.step(
             "indentation_um", "iterations", source=self.source, mode="center",
-            line_color=RUN_COLOR[False], line_width=1.5, legend_label="iterations",
+            line_color=RUN_COLOR[False], line_width=1.5,
         )  # fmt: skip
         marks = self.root.scatter(
             "indentation_um", "iterations", source=self.failed, marker="x", size=7,
-            line_color=VERMILION, line_width=2, legend_label="not converged",
+            line_color=VERMILION, line_width=2,
         )  # fmt: skip
         self._glyphs = [line, margin, marks]
-        self._legend()
         place = ("indentation", "@indentation_um{0.0} µm")
         hover(self.root, line, [("iterations", "@iterations"), place], "mouse")
         hover(self.root, margin, [("stability margin", "@margin{0.00}"), place], "mouse")
 
-    def _margin_line(self):
+    def _margin_line(self) -> Any:
         self.root.extra_y_ranges = {"margin": Range1d(*_MARGINS)}
         axis = LinearAxis(y_range_name="margin", axis_label="Margin (below 0: unstable)")
         axis.axis_label_text_font_style = "normal"
         axis.ticker.desired_num_ticks = 3
         self.root.min_border_right = 74
         self.root.add_layout(axis, "right")
-        zero = Span(dimension="width", location=0, line_color=_MARGIN_COLOR, line_alpha=0.6,
+        zero = Span(dimension="width", location=0, line_color=MARGIN_COLOR, line_alpha=0.6,
                     line_dash="dotted", y_range_name="margin")  # fmt: skip
         self.root.add_layout(zero)
         return self.root.line(
             "indentation_um", "margin", source=self.margin, y_range_name="margin",
-            line_color=_MARGIN_COLOR, line_width=2, line_dash=[6, 3],
-            legend_label="stability margin",
+            line_color=MARGIN_COLOR, line_width=2, line_dash=[6, 3],
         )  # fmt: skip
-
-    def _legend(self) -> None:
-        legend = self.root.legend[0]
-        self.root.add_layout(legend, "above")
-        legend.update(orientation="horizontal", border_line_alpha=0, background_fill_alpha=0,
-                      padding=0, margin=2)  # fmt: skip
-        self._failed_entry = legend.items[-1]
-        self._failed_entry.visible = False
 
     def show_against(self, axis: Horizontal) -> None:
         """Change the horizontal axis."""
@@ -97,7 +98,6 @@ class IterationsView:
     def reset(self, max_iterations: int) -> None:
         for points in (self._all, self._margin, self._bad):
             points.clear()
-        self._failed_entry.visible = False
         self.limit.location = max_iterations
         self.root.y_range.end = 1.1 * min(max_iterations, _SHOWN)
 
@@ -110,6 +110,4 @@ class IterationsView:
         most = 1.1 * float(columns["iterations"][low:high].max(initial=0))
         span.end = max(span.end, most)
         bad = np.flatnonzero(columns["converged"][:high] == 0)
-        if bool(bad.size) != self._failed_entry.visible:
-            self._failed_entry.visible = bool(bad.size)
         self._bad.update(columns, bad, ended)

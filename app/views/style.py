@@ -12,6 +12,8 @@ from bokeh.plotting import figure
 #: Okabe and Ito's palette
 BLUE, VERMILION, ORANGE = "#0072B2", "#D55E00", "#E69F00"
 GREY = "#8A8F98"
+#: of the stability margin: Okabe and Ito's purple
+MARGIN_COLOR = "#CC79A7"
 #: line of a run: readable on white and on black
 RUN_COLOR = {False: BLUE, True: "#56B4E9"}
 

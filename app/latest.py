@@ -27,7 +27,8 @@ class Latest:
     def __init__(self, wake: Callable[[], None]) -> None:
         self._wake = wake
         self._lock = threading.Lock()
-        self._waiting: Job | None = None
+        self._asked = 0
+        self._waiting: tuple[int, Job] | None = None
         self._answer: tuple[Any, str] | None = None
         self._thread: threading.Thread | None = None
         self._closed = False
@@ -37,10 +38,11 @@ class Latest:
         with self._lock:
             if self._closed:
                 return
-            self._waiting, self._answer = job, None
+            self._asked += 1
+            self._waiting, self._answer = (self._asked, job), None
             if self._thread is None:
                 self._thread = threading.Thread(
-                    target=self._work, name="tyrecontact-inputs", daemon=True
+                    target=self._work, name="tyrecontact-latest", daemon=True
                 )
                 self._thread.start()
 
@@ -50,11 +52,16 @@ class Latest:
             answer, self._answer = self._answer, None
         return answer
 
+    def drop(self) -> None:
+        """What was asked so far is not wanted any more."""
+        with self._lock:
+            self._asked += 1
+            self._waiting = self._answer = None
+
     def close(self) -> None:
         """Nothing is wanted any more: the thread ends after what it is in the midst of."""
-        with self._lock:
-            self._closed = True
-            self._waiting = self._answer = None
+        self._closed = True
+        self.drop()
 
     def join(self, timeout: float | None = None) -> bool:
         """Wait until there is nothing to do; True if so."""
@@ -66,20 +73,18 @@ class Latest:
     def _work(self) -> None:
         while True:
             with self._lock:
-                job, self._waiting = self._waiting, None
-                if job is None:
+                task, self._waiting = self._waiting, None
+                if task is None:
                     self._thread = None
                     return
-            answer = _answer(job, self._wanted)
+            number, job = task
+            answer = _answer(job, lambda number=number: number == self._asked)
             with self._lock:
-                wanted = self._wanted()
+                wanted = number == self._asked
                 if wanted:
                     self._answer = answer
             if wanted:
                 self._wake()
-
-    def _wanted(self) -> bool:
-        return self._waiting is None and not self._closed
 
 
 def _answer(job: Job, wanted: Callable[[], bool]) -> tuple[Any, str]:

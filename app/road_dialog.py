@@ -68,7 +68,9 @@ class RoadDialog:
         self._loading = False
         self._base = Road()
         self._fresh = True
-        self.fields = {name: _number(name, label) for name, label in _NUMBERS.items()}
+        self.fields: dict[str, Any] = {
+            name: _number(name, label) for name, label in _NUMBERS.items()
+        }
         for name, (label, options) in _CHOICES.items():
             self.fields[name] = pmui.Select(label=label, options=options, **_SMALL)
         self.message = pn.pane.HTML("", margin=(4, 10), sizing_mode="stretch_width")
@@ -197,6 +199,7 @@ class RoadDialog:
             pn.Row(self.use_button, self.cancel_button),
             title="Your road", title_variant="h6", width_option="md", scroll="paper",
             sizing_mode="stretch_width",
+            sx={"& .MuiDialogTitle-root": {"overflowWrap": "anywhere"}},
         )  # fmt: skip
 
 
@@ -220,8 +223,11 @@ def _verdict(look: Look, road: Road) -> tuple[str, str]:
     if look.found.doubts:
         return "warning", f"Please check: {'; '.join(look.found.doubts)}."
     side = f"{road.size * 1e3:.4g} mm"
-    return "success", f"This is what was understood. A patch of {side} x {side} will be used."
+    return "success", f"This is what was understood. A patch of {side} × {side} will be used."
 
 
 def _sentence(text: str) -> str:
+    """With a capital and a full stop, and settings called as their fields are."""
+    for name, label in _NUMBERS.items():
+        text = text.replace(f"road.{name} must", f"{label} must")
     return f"{text[:1].upper()}{text[1:].rstrip('.')}."

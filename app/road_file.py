@@ -14,7 +14,7 @@ import panel_material_ui as pmui
 
 from tyrecontact.parts.road import Road
 
-from .errand import Latest
+from .latest import Latest
 from .road_dialog import SETTINGS, RoadDialog
 from .road_reading import Look, Reading
 from .road_upload import Upload
@@ -62,7 +62,8 @@ class RoadFile:
         self._look: Look | None = None
         self._asked: RoadDialog | None = None
         self.file = ""
-        self.work = Latest(pn.state.curdoc)
+        self._document = pn.state.curdoc  # None where there is no browser, as in tests
+        self.work = Latest(self._answered)
         self.upload = Upload(
             self._place, self._say, self._arrived, self._reject, label="Bring a road file",
             uploaded_label="Bring another road file", sizing_mode="stretch_width",
@@ -107,7 +108,7 @@ class RoadFile:
 
     def close(self) -> None:
         """The visitor has left: remove what was kept on disk."""
-        self.work.drop()
+        self.work.close()
         self._reading = None
         if self._folder is not None:
             self._folder.cleanup()
@@ -157,7 +158,23 @@ class RoadFile:
         reading = self._reading
         if reading is not None:
             self._look = None
-            self.work.ask(lambda: (reading.look(road), road), lambda found: self._show(*found))
+            self.work.ask(lambda _: (reading.look(road), road))
+
+    def _answered(self) -> None:
+        """On the thread that reads."""
+        if self._document is not None:
+            self._document.add_next_tick_callback(self.arrive)
+
+    def arrive(self) -> None:
+        """Show what has been read, if it still is what was asked for."""
+        answer = self.work.take()
+        if answer is None or self._reading is None:
+            return
+        found, refusal = answer
+        if refusal:
+            self._reject(self._reading.name, refusal)
+        else:
+            self._show(*found)
 
     def _show(self, look: Look, road: Road) -> None:
         self._look = look

@@ -38,7 +38,11 @@ class Upload(pmui.FileInput):
     ) -> None:
         super().__init__(chunk_size=_PIECE, **settings)
         self._place, self._tell, self._done, self._refuse = place, tell, done, refuse
-        self._forget()
+        self._file: IO[bytes] | None = None
+        self._path: Path | None = None
+        self._name = ""
+        self._pieces = self._number = self._size = 0
+        self._refused = False
 
     def receive(self, name: str, piece: bytes, number: int, pieces: int) -> None:
         """A piece of a file, numbered from 1; those of a refused file are passed over."""
@@ -118,7 +122,6 @@ class Upload(pmui.FileInput):
             self._file = None
 
     def _forget(self) -> None:
-        self._file: IO[bytes] | None = None
-        self._path: Path | None = None
+        self._file = self._path = None
         self._name, self._pieces, self._number, self._size = "", 0, 0, 0
         self._refused = False

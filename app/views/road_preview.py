@@ -43,10 +43,11 @@ class RoadPreview:
 
     def show(self, view: Overview, road: Road) -> None:
         """Draw a file and mark what the settings take of it."""
+        shown: MapPreview | LinePreview
         if view.is_profile:
-            self.line = shown = self.line or LinePreview()
+            shown = self.line = self.line or LinePreview()
         else:
-            self.map = shown = self.map or MapPreview()
+            shown = self.map = self.map or MapPreview()
         shown.show(view)
         shown.mark(road)
         if self._shown is not shown:
@@ -66,7 +67,9 @@ class MapPreview:
         self.image = ColumnDataSource({name: [] for name in ("height", "x", "y", "dx", "dy")})
         self.patch = ColumnDataSource({"x": [], "y": [], "side": []})
         self.mapper = LinearColorMapper(Cividis256, low=0, high=1, nan_color=_NOTHING)
-        self.figure = _figure("x from the middle [mm]", "y from the middle [mm]")
+        self.figure = _figure(
+            "Square: the patch that is used", "x from the middle [mm]", "y from the middle [mm]"
+        )
         self.figure.match_aspect = True
         self.figure.grid.visible = False
         cells = self.figure.image(
@@ -99,7 +102,6 @@ class MapPreview:
         self.patch.data = {
             "x": [road.centre_x * 1e3], "y": [road.centre_y * 1e3], "side": [road.size * 1e3]
         }  # fmt: skip
-        self.figure.title.text = "The whole file; square: the patch that is used"
 
 
 class LinePreview:
@@ -107,7 +109,11 @@ class LinePreview:
 
     def __init__(self) -> None:
         self.curve = ColumnDataSource({"place": np.empty(0), "height": np.empty(0)})
-        self.figure = _figure("From the start of the file [mm]", "Height [µm]")
+        self.figure = _figure(
+            "Box: what is used; hatched: trimmed off",
+            "From the start of the file [mm]",
+            "Height [µm]",
+        )
         self.figure.y_range = Range1d(0, 1)
         self.figure.line("place", "height", source=self.curve, line_color=_LINE, line_width=1.2)
         off = {"fill_color": GREY, "fill_alpha": 0.25, "hatch_pattern": "/", "hatch_alpha": 0.5,
@@ -137,11 +143,10 @@ class LinePreview:
         self.patch.update(
             left=middle - half if cut else first, right=middle + half if cut else last
         )
-        self.figure.title.text = "The whole file; box: what is used, hatched: trimmed off"
 
     def _scale(self, first: float, last: float) -> None:
         """Heights from the lowest to the highest of what is kept: a reference plate is none."""
-        place, height = self.curve.data["place"], self.curve.data["height"]
+        place, height = (np.asarray(self.curve.data[name]) for name in ("place", "height"))
         kept = height[(place >= first) & (place <= last) & np.isfinite(height)]
         if kept.size:
             margin = 0.08 * float(np.ptp(kept)) or 1.0
@@ -149,9 +154,9 @@ class LinePreview:
             self.figure.y_range.update(start=low, end=high)
 
 
-def _figure(x_label: str, y_label: str) -> figure:
+def _figure(title: str, x_label: str, y_label: str) -> figure:
     fig = figure(
-        title="", x_axis_label=x_label, y_axis_label=y_label, height=HEIGHT,
+        title=title, x_axis_label=x_label, y_axis_label=y_label, height=HEIGHT,
         sizing_mode="stretch_width", tools="pan,box_zoom,wheel_zoom,reset,save", active_drag=None,
         active_scroll=None, toolbar_location="above", output_backend="canvas", min_border_left=64,
         min_border_right=16, background_fill_alpha=0, border_fill_alpha=0,

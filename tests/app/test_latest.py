@@ -76,3 +76,14 @@ def test_after_the_close_nobody_is_woken_and_nothing_begins() -> None:
     latest.ask(slow)
     assert latest.join(10)
     assert (woken, found, latest.take()) == ([], [False], None)
+
+
+def test_what_was_dropped_is_not_answered_even_if_the_answer_is_there() -> None:
+    latest = Latest(lambda: None)
+    latest.ask(lambda _: 7)
+    assert latest.join(10)
+    latest.drop()
+    assert latest.take() is None
+    latest.ask(lambda _: 8)
+    assert latest.join(10)
+    assert latest.take() == (8, "")

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from tyrecontact import assembly
+from tyrecontact.assembly.road import prepared, with_ends
 from tyrecontact.errors import InputError
 from tyrecontact.parts.road import Road
+from tyrecontact.road.scan import Scan
 
 ROAD = {"elements": 6, "size": 6e-3, "pixel": 5e-5}
 
@@ -110,3 +112,15 @@ def test_missing_heights_are_filled_up_to_the_limit_in_the_patch_alone(tmp_path:
 def test_no_file_cannot_be_understood() -> None:
     with pytest.raises(InputError, match=r"road\.file must name a file"):
         assembly.road_understood(Road())
+
+
+@pytest.mark.parametrize("direction", ["up", "down"])
+def test_trimmed_ends_are_shown_on_the_line_that_was_taken_off(direction: str) -> None:
+    scan = Scan(np.r_[9.0, 9.0, np.arange(8) * 2.0 + [0, 1] * 4, -9.0], 1e-3)
+    settings = Road(trim_start=2e-3, trim_end=1e-3, height_direction=direction)
+    kept = prepared(scan, settings)
+    shown = with_ends(kept, scan, settings)
+    assert shown.heights[2:-1] == pytest.approx(kept.heights)
+    sign = 1 if direction == "up" else -1
+    line = sign * scan.heights - shown.heights
+    assert np.diff(line, 2) == pytest.approx(0, abs=1e-12)

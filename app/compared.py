@@ -32,7 +32,7 @@ def differences(runs: Sequence[Pinned]) -> list[Row]:
     for settings in zip(*(run.scenario.settings() for run in runs), strict=True):
         path, parameter, first = settings[0]
         if any(value != first for _, _, value in settings):
-            name = f"{_PARTS[path.partition('.')[0]]}: {label_of(path).lower()}"
+            name = f"{_PARTS[path.partition('.')[0]]}: {label_of(path)}"
             values = tuple(with_unit(parameter, value) for _, _, value in settings)
             found.append(Row(name, values))
     return found

@@ -92,4 +92,4 @@ def _word(scenario: Scenario, path: str) -> str:
     part, parameter = scenario.find(path)
     value = with_unit(parameter, getattr(part, parameter.name))
     known = _KNOWN.get(path)
-    return known(value) if known else f"{label_of(path).lower()} {value}"
+    return known(value) if known else f"{label_of(path)} {value}"

@@ -83,7 +83,7 @@ def test_labels_say_what_differs_from_the_first(make: Make) -> None:
     assert first.label == "base"
     assert shelf.pin(make(adhesion__release_force=0.3)).label == "0.3 N"
     assert shelf.pin(make(numerics__time_resolution_factor=2)).label == "factor 2"
-    assert shelf.pin(make(loading__rate=0.2, road__seed=2)).label == "seed 2, 200 mm/s"
+    assert shelf.pin(make(loading__rate=0.2, road__seed=2)).label == "Seed 2, 200 mm/s"
     assert shelf.pin(make(springs__exchange_count=3), " 0.3  N ").label == "0.3 N (2)"
 
 
@@ -117,7 +117,7 @@ def test_only_what_differs_is_listed(make: Make) -> None:
     shelf.pin(make(), "a")
     shelf.pin(make(adhesion__release_force=0.3), "b")
     (row,) = shelf.differences()
-    assert (row.name, row.values) == ("Adhesion: release criterion", ("0.6 N", "0.3 N"))
+    assert (row.name, row.values) == ("Adhesion: Release criterion", ("0.6 N", "0.3 N"))
     rows = shelf.differences(make(loading__rate=0.2))
     assert [row.values for row in rows] == [
         ("100 mm/s", "100 mm/s", "200 mm/s"), ("0.6 N", "0.3 N", "0.6 N"),

@@ -1,0 +1,121 @@
+"""What can be done with pinned runs: pin, rename, unpin, and choose what is compared."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import panel as pn
+import panel_material_ui as pmui
+
+from tyrecontact.errors import InputError
+
+from ..pinned import Pinned
+from ..runner import Run
+from ..shelf import LONGEST, MOST, Shelf
+from .compare_plots import DEPTH, TIME
+
+_WRAP = ":host { flex-wrap: wrap; align-items: center; }"
+_FIELD: dict[str, Any] = {"size": "small", "margin": (6, 6)}
+
+
+class CompareControls:
+    """One set of widgets for all pinned runs.
+
+    Parameters
+    ----------
+    shelf : is changed.
+    changed : called when another plot is asked for, or there is something to be said.
+
+    Attributes
+    ----------
+    root : the widgets.  said : what came of the last click, or empty.
+    """
+
+    def __init__(self, shelf: Shelf, changed: Callable[[], None]) -> None:
+        self._shelf, self._changed = shelf, changed
+        self._run: Run | None = None
+        self._setting = False
+        self._offered: tuple[Pinned, ...] = ()
+        self._of_label = ""  # of the pinned run whose label stands in the entry
+        self.said = ""
+        self.pin = pmui.Button(label="Pin this run", variant="contained", **_FIELD)
+        self.chosen = pmui.Select(label="Pinned run", width=220, **_FIELD)
+        self.label = pmui.TextInput(label="Its label", width=200, max_length=LONGEST, **_FIELD)
+        self.rename = pmui.Button(label="Rename", variant="outlined", **_FIELD)
+        self.unpin = pmui.Button(label="Unpin", variant="outlined", **_FIELD)
+        self.reference = pmui.Select(label="Differences from", width=220, **_FIELD)
+        self.axis = pmui.Select(
+            label="Force and iterations against", options=[DEPTH, TIME], value=DEPTH, width=220,
+            **_FIELD,
+        )  # fmt: skip
+        self.root = pn.Row(
+            self.pin, self.chosen, self.label, self.rename, self.unpin, self.reference, self.axis,
+            sizing_mode="stretch_width", margin=0, stylesheets=[_WRAP],
+        )  # fmt: skip
+        self.pin.on_click(lambda _: self._try(self._pin))
+        self.rename.on_click(lambda _: self._try(self._rename))
+        self.unpin.on_click(lambda _: self._try(self._unpin))
+        self.chosen.param.watch(lambda event: self._choose(event.new), "value")
+        for asked in (self.reference, self.axis):
+            asked.param.watch(lambda _: self._ask(), "value")
+
+    def update(self, run: Run | None, compared: Sequence[Pinned]) -> None:
+        """Offer what can be done now with the run on show and those that are compared."""
+        if run is not self._run:
+            self.said = ""
+        self._run, self._setting = run, True
+        try:
+            pinned = self._shelf.pinned
+            _offer(self.chosen, self._offered, pinned)
+            _offer(self.reference, self._offered, compared)
+            self._offered = tuple(compared)
+            if self._of_label != self.chosen.value:
+                self._of_label = self.label.value = self.chosen.value or ""
+            begun = run is not None and run.record is not None and run.record.count > 0
+            self.pin.disabled = not begun
+            for widget in (self.chosen, self.label, self.rename, self.unpin):
+                widget.disabled = not pinned
+        finally:
+            self._setting = False
+
+    def _choose(self, label: str | None) -> None:
+        if not self._setting:
+            self._of_label = self.label.value = label or ""
+
+    def _ask(self) -> None:
+        if not self._setting:
+            self._changed()
+
+    def _try(self, action: Callable[[], str]) -> None:
+        try:
+            self.said = action()
+        except InputError as error:
+            self.said = f"Not done: {error}."
+        self._changed()
+
+    def _pin(self) -> str:
+        assert self._run is not None  # the button is disabled until there is one
+        pin = self._shelf.pin(self._run)
+        full = f" {len(self._shelf.pinned)} of {MOST} places are taken."
+        remark = f", {pin.remark}: pin it again when it has come further" if pin.remark else ""
+        return f"Pinned as “{pin.label}”{remark}.{full}"
+
+    def _rename(self) -> str:
+        before, new = str(self.chosen.value), str(self.label.value)
+        self._shelf.rename(before, new)
+        return f"“{before}” is now “{' '.join(new.split())}”."
+
+    def _unpin(self) -> str:
+        label = str(self.chosen.value)
+        self._shelf.unpin(label)
+        return f"“{label}” is no longer pinned."
+
+
+def _offer(select: pmui.Select, before: Sequence[Pinned], runs: Sequence[Pinned]) -> None:
+    """Runs to choose from; the choice stays on its run, which is known by its look."""
+    look = next((run.look for run in before if run.label == select.value), None)
+    labels = [run.label for run in runs]
+    if select.options != labels:
+        kept = [run.label for run in runs if run.look == look] or labels or [None]
+        select.param.update(options=labels, value=kept[0])

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import panel as pn
 import panel_material_ui as pmui
 
 from .player import Player
 from .runner import Run
+from .shelf import Shelf
 from .views.contact_map import ContactMapView
 from .views.element import ElementView
 from .views.force import ForceView
 from .views.iterations import IterationsView
 from .views.legend import LegendView
 from .views.map_modes import MODES
+from .views.pinned import PinnedCurves, entries
 from .views.style import GREY, VERMILION, Size, horizontal
 
 #: milliseconds from a change of what a plot shows until a long run is drawn in full there
@@ -44,9 +47,15 @@ class Live:
     root : all of it.
     """
 
-    def __init__(self, redraw: Callable[[], None]) -> None:
+    def __init__(self, shelf: Shelf, redraw: Callable[[], None]) -> None:
+        self._shelf = shelf
         self.force, self.iterations = ForceView(), IterationsView()
         self.contact_map, self.element = ContactMapView(), ElementView()
+        self.pinned = PinnedCurves(self.force.root)
+        self.pin = pmui.Button(
+            label="Pin", icon="push_pin", size="small", variant="outlined", margin=(2, 4)
+        )
+        shelf.watch(self._show_pinned)
         self.contact_map.on_tap = self.element.follow
         self.element.on_follow = self._follow
         self.player, self.legend = Player(), LegendView()
@@ -66,6 +75,7 @@ class Live:
             view.root.x_range.on_change("end", self._look_soon)
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
         self._looking = False
+        self._axis = horizontal("indentation", np.array([0.0, 1e-2]), np.array([0.0, 2e-4]))
         self._run: Run | None = None
         self._drawn = 0
         self._shown: tuple[int, bool] | None = None
@@ -129,6 +139,7 @@ class Live:
     def enlarge(self, size: Size) -> None:
         for view in (self.force, self.iterations, self.contact_map, self.element, self.legend):
             view.enlarge(size)
+        self.pinned.enlarge(size)
 
     def _prepare(self, run: Run) -> None:
         assert run.simulation is not None
@@ -181,7 +192,12 @@ class Live:
         axis = horizontal(self.axis.value, run.simulation.schedule.time, depth)
         for view in (self.force, self.iterations, self.element):
             view.show_against(axis)
-        self._shown = None
+        self._axis, self._shown = axis, None
+        self._show_pinned()
+
+    def _show_pinned(self) -> None:
+        self.pinned.show(self._shelf.pinned, self._axis)
+        self.legend.show_pinned(entries(self._shelf.pinned))
 
     def _choose_mode(self, mode: str) -> None:
         self.contact_map.show_mode(mode)
@@ -196,7 +212,7 @@ class Live:
                 filled, sizing_mode="stretch_width", margin=0, styles={"height": height}
             )
 
-        top = pn.Row(self.axis, self.legend.root, sizing_mode="stretch_width", margin=0)
+        top = pn.Row(self.axis, self.pin, self.legend.root, sizing_mode="stretch_width", margin=0)
         curves = pn.Column(
             top, plot(self.force.root, _FORCE), plot(self.iterations.root, _ITERATIONS),
             sizing_mode="stretch_width", margin=0,

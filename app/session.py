@@ -7,6 +7,8 @@ from typing import Any
 
 import panel as pn
 
+from tyrecontact.errors import InputError
+
 from . import keyboard, links
 from .browser import Browser
 from .controls import Controls
@@ -16,16 +18,10 @@ from .limits import limits, slots
 from .live import Live
 from .runner import Run
 from .shelf import Shelf
-from .tabs import CodeTab, InputsTab, Tabs
+from .tabs import Tabs, makers
 from .teaching import Teaching
-from .views.compare import CompareView
-from .views.energy import EnergyView
 from .views.headline import HeadlineView
-from .views.lesson_list import LessonList
-from .views.release import ReleaseView
-from .views.stiffness import StiffnessView
 from .views.style import DESK, HALL
-from .views.theory import TheoryView
 from .whatif import WhatIf
 
 #: milliseconds between two looks at what the solver has left
@@ -58,21 +54,9 @@ class Session:
         self.headline, self.header = HeadlineView(), Header()
         self.controls = Controls(self.headline.refuse, self._changed)
         self.whatif = WhatIf(self.controls, self._paced)
-        self.live = Live(self._redraw)
+        self.live = Live(self.shelf, self._redraw)
         self.teaching = Teaching(self)
-        self.tabs = Tabs(
-            self.live.root,
-            {
-                "Stiffness": StiffnessView,
-                "Release": ReleaseView,
-                "Energy": EnergyView,
-                "Inputs": lambda: InputsTab(self.controls),
-                "Compare": lambda: CompareView(self.shelf),
-                "Lessons": lambda: LessonList(self.teaching.begin),
-                "Theory": TheoryView,
-                "Code": lambda: CodeTab(self.controls),
-            },
-        )
+        self.tabs = Tabs(self.live.root, makers(self.controls, self.shelf, self.teaching.begin))
         self.dialogs = Dialogs(self.controls, self.browser, self.load_preset, lambda: self.run)
         self._wire()
         self._open_link()
@@ -221,8 +205,12 @@ class Session:
 
     def pin(self, label: str | None = None) -> None:
         """Keep the run on show for comparison."""
-        if self.run is not None:
+        if self.run is None:
+            return
+        try:
             self.shelf.pin(self.run, label)
+        except InputError as error:
+            self.headline.refuse(str(error))
 
     def choose_axis(self) -> None:
         """The horizontal axis on which the form's loading is read best."""
@@ -244,6 +232,7 @@ class Session:
             (self.header.step, self.step), (self.header.stop, self.stop),
             (self.header.preset, self.dialogs.presets), (self.header.share, self.dialogs.share),
             (self.header.present, self.present), (self.header.help, self.dialogs.help),
+            (self.live.pin, self.pin),
         ):  # fmt: skip
             button.on_click(lambda _, action=action: action())
         self.browser.on_key = self._pressed

@@ -11,9 +11,32 @@ from panel.viewable import Viewable
 
 from .controls import Controls
 from .runner import Run
+from .shelf import Shelf
 from .views.code import CodeView
+from .views.compare import CompareView
+from .views.energy import EnergyView
 from .views.inputs import InputsView
+from .views.lesson_list import LessonList
+from .views.release import ReleaseView
+from .views.stiffness import StiffnessView
 from .views.style import DESK, Size
+from .views.theory import TheoryView
+
+
+def makers(
+    controls: Controls, shelf: Shelf, begin: Callable[[str], None]
+) -> dict[str, Callable[[], Tab]]:
+    """The tabs beside the live one: title -> what makes its view."""
+    return {
+        "Stiffness": StiffnessView,
+        "Release": ReleaseView,
+        "Energy": EnergyView,
+        "Inputs": lambda: InputsTab(controls),
+        "Compare": lambda: CompareView(shelf),
+        "Lessons": lambda: LessonList(begin),
+        "Theory": TheoryView,
+        "Code": lambda: CodeTab(controls),
+    }
 
 
 class Tab(Protocol):

@@ -5,20 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from bokeh.models import ColumnDataSource, GlyphRenderer, LegendItem
+from bokeh.models import ColumnDataSource, GlyphRenderer
 from bokeh.plotting import figure
 
 from ..pinned import Pinned
 from .comparison import thinned
+from .legend import Entry
 from .style import Horizontal, Size
 
 _WIDTH = 1.4
-#: entries of a legend that stand below each other; more of them take another column
-_HIGH = 4
+#: Bokeh's names as SVG has them
+_DASHES = {"solid": "", "dashed": "6 3", "dotted": "2 3", "dotdash": "2 3 6 3"}
 
 
 class PinnedCurves:
-    """Force curves of pinned runs in a figure that has a legend.
+    """Force curves of pinned runs in a figure.
 
     A curve that is not needed is hidden and used again: nothing is taken out of the figure.
 
@@ -30,7 +31,6 @@ class PinnedCurves:
     def __init__(self, fig: figure) -> None:
         self._fig = fig
         self.renderers: list[GlyphRenderer] = []
-        self._entries: list[LegendItem] = []
         self._drawn: list[Pinned | None] = []
         self._width = _WIDTH
 
@@ -44,9 +44,6 @@ class PinnedCurves:
                 self._draw(place, run)
             if renderer.glyph.x != axis.column:
                 renderer.glyph.x = axis.column
-        legend = self._fig.legend[0]
-        shown = sum(1 for entry in legend.items if entry.visible)
-        legend.ncols = max(1, -(-shown // _HIGH))
 
     def enlarge(self, size: Size) -> None:
         """Set the width of the lines."""
@@ -59,21 +56,17 @@ class PinnedCurves:
         line = self._fig.line(
             axis.column, "force", source=source, line_width=self._width, visible=False
         )
-        entry = LegendItem(label="", renderers=[line], visible=False)
-        self._fig.legend[0].items.append(entry)
         self.renderers.append(line)
-        self._entries.append(entry)
         self._drawn.append(None)
 
     def _draw(self, place: int, run: Pinned | None) -> None:
-        renderer, entry = self.renderers[place], self._entries[place]
+        renderer = self.renderers[place]
         before, self._drawn[place] = self._drawn[place], run
-        renderer.visible = entry.visible = run is not None
+        renderer.visible = run is not None
         if run is None:
             renderer.data_source.data = {name: [] for name in renderer.data_source.data}
             return
         renderer.glyph.update(line_color=run.look.color, line_dash=run.look.dash)
-        entry.label = {"value": run.label}
         if before is None or before.results is not run.results:  # not where only its name changed
             renderer.data_source.data = _points(run)
 
@@ -86,3 +79,8 @@ def _points(run: Pinned) -> dict[str, np.ndarray]:
         "indentation_um": columns["indentation"][rows] * 1e6,
         "force": force,
     }
+
+
+def entries(pinned: Sequence[Pinned]) -> list[Entry]:
+    """What a legend says of them."""
+    return [Entry(run.label, run.look.color, _WIDTH, _DASHES[run.look.dash]) for run in pinned]

@@ -14,7 +14,9 @@ from .style import Horizontal, Size
 
 _WIDTH = 1.4
 #: entries of a legend that stand below each other; more of them take another column
-_HIGH = 4
+_HIGH = 6
+#: characters of a label that a legend has room for on a phone
+_ROOM = 18
 
 
 class PinnedCurves:
@@ -73,9 +75,13 @@ class PinnedCurves:
             renderer.data_source.data = {name: [] for name in renderer.data_source.data}
             return
         renderer.glyph.update(line_color=run.look.color, line_dash=run.look.dash)
-        entry.label = {"value": run.label}
+        entry.label = {"value": _short(run.label)}
         if before is None or before.results is not run.results:  # not where only its name changed
             renderer.data_source.data = _points(run)
+
+
+def _short(label: str) -> str:
+    return label if len(label) <= _ROOM else f"{label[: _ROOM - 1].rstrip()}…"
 
 
 def _points(run: Pinned) -> dict[str, np.ndarray]:

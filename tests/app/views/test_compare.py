@@ -201,6 +201,9 @@ def test_pinned_runs_stand_behind_the_live_one(pair: Shelf) -> None:
     assert curves.renderers[0].data_source.data is kept
     entries = [item.label.value for item in force.root.legend[0].items if item.visible]
     assert entries == ["quasi-static", "this run", "1st", "softer"]
+    pair.rename("softer", "the one with softer springs")
+    curves.show(pair.pinned, _BY_TIME)
+    assert force.root.legend[0].items[-1].label.value == "the one with soft…"
     curves.show([], _BY_TIME)
     assert not any(line.visible for line in curves.renderers)
     curves.enlarge(HALL)

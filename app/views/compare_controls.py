@@ -122,5 +122,5 @@ def _offer(select: pmui.Select, before: Sequence[Pinned], runs: Sequence[Pinned]
     look = next((run.look for run in before if run.label == select.value), None)
     labels = [run.label for run in runs]
     if select.options != labels:
-        kept = [run.label for run in runs if run.look == look] or labels or [None]
-        select.param.update(options=labels, value=kept[0])
+        kept = [run.label for run in runs if run.look == look] or labels
+        select.param.update(options=labels, value=kept[0] if kept else None)

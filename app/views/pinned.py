@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from bokeh.models import ColumnDataSource, GlyphRenderer, LegendItem
+from bokeh.models import ColumnDataSource
+from bokeh.models.annotations import LegendItem
+from bokeh.models.renderers import GlyphRenderer
 from bokeh.plotting import figure
 
 from ..pinned import Pinned
@@ -47,7 +49,7 @@ class PinnedCurves:
             if renderer.glyph.x != axis.column:
                 renderer.glyph.x = axis.column
         legend = self._fig.legend[0]
-        shown = sum(1 for entry in legend.items if entry.visible)
+        shown = sum(isinstance(entry, LegendItem) and bool(entry.visible) for entry in legend.items)
         legend.ncols = max(1, -(-shown // _HIGH))
 
     def enlarge(self, size: Size) -> None:

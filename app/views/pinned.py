@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from bokeh.models import ColumnDataSource
 from bokeh.models.annotations import LegendItem
-from bokeh.models.renderers import GlyphRenderer
 from bokeh.plotting import figure
 
 from ..pinned import Pinned
@@ -33,7 +33,7 @@ class PinnedCurves:
 
     def __init__(self, fig: figure) -> None:
         self._fig = fig
-        self.renderers: list[GlyphRenderer] = []
+        self.renderers: list[Any] = []
         self._entries: list[LegendItem] = []
         self._drawn: list[Pinned | None] = []
         self._width = _WIDTH
@@ -59,6 +59,8 @@ class PinnedCurves:
             renderer.glyph.line_width = self._width
 
     def _add(self, axis: Horizontal) -> None:
+        line: Any
+        entry: Any
         source = ColumnDataSource({name: [] for name in ("time_ms", "indentation_um", "force")})
         line = self._fig.line(
             axis.column, "force", source=source, line_width=self._width, visible=False

@@ -32,9 +32,8 @@ def differences(runs: Sequence[Pinned]) -> list[Row]:
     for settings in zip(*(run.scenario.settings() for run in runs), strict=True):
         path, parameter, first = settings[0]
         if any(value != first for _, _, value in settings):
-            name = f"{_PARTS[path.partition('.')[0]]}: {label_of(path)}"
             values = tuple(with_unit(parameter, value) for _, _, value in settings)
-            found.append(Row(name, values))
+            found.append(Row(_name(path), values))
     return found
 
 
@@ -61,6 +60,12 @@ def notes(runs: Sequence[Pinned]) -> list[str]:
     if _differ(runs, "numerics", ("time_resolution_factor", "sampling_frequency")):
         said.append("The time steps differ: iterations are those of a step, long or short.")
     return said
+
+
+def _name(path: str) -> str:
+    """The label of a setting, behind the title of its part where it does not say that itself."""
+    part, label = _PARTS[path.partition(".")[0]], label_of(path)
+    return label if label.startswith(part.rstrip("s")) else f"{part}: {label}"
 
 
 def _differ(runs: Sequence[Pinned], part: str, names: tuple[str, ...]) -> bool:

@@ -90,6 +90,6 @@ def _words(scenario: Scenario, paths: list[str]) -> str:
 
 def _word(scenario: Scenario, path: str) -> str:
     part, parameter = scenario.find(path)
-    value = with_unit(parameter, getattr(part, parameter.name))
+    value = with_unit(parameter, getattr(part, path.partition(".")[2]))
     known = _KNOWN.get(path)
     return known(value) if known else f"{label_of(path)} {value}"

@@ -16,7 +16,12 @@ from ..shelf import LONGEST, MOST, Shelf
 from .compare_plots import DEPTH, TIME
 
 _WRAP = ":host { flex-wrap: wrap; align-items: center; }"
-_FIELD: dict[str, Any] = {"size": "small", "margin": (6, 6)}
+_SMALL: dict[str, Any] = {"size": "small", "margin": (6, 6)}
+#: no fixed width: a row would be as wide as all of them together, also on a phone
+_FIELD: dict[str, Any] = {
+    **_SMALL, "sizing_mode": "stretch_width", "max_width": 230,
+    "styles": {"flex": "1 1 150px", "width": "auto", "min-width": "0"},
+}  # fmt: skip
 
 
 class CompareControls:
@@ -39,14 +44,14 @@ class CompareControls:
         self._offered: tuple[Pinned, ...] = ()
         self._of_label = ""  # of the pinned run whose label stands in the entry
         self.said = ""
-        self.pin = pmui.Button(label="Pin this run", variant="contained", **_FIELD)
-        self.chosen = pmui.Select(label="Pinned run", width=220, **_FIELD)
-        self.label = pmui.TextInput(label="Its label", width=200, max_length=LONGEST, **_FIELD)
-        self.rename = pmui.Button(label="Rename", variant="outlined", **_FIELD)
-        self.unpin = pmui.Button(label="Unpin", variant="outlined", **_FIELD)
-        self.reference = pmui.Select(label="Differences from", width=220, **_FIELD)
+        self.pin = pmui.Button(label="Pin this run", variant="contained", **_SMALL)
+        self.chosen = pmui.Select(label="Pinned run", **_FIELD)
+        self.label = pmui.TextInput(label="Its label", max_length=LONGEST, **_FIELD)
+        self.rename = pmui.Button(label="Rename", variant="outlined", **_SMALL)
+        self.unpin = pmui.Button(label="Unpin", variant="outlined", **_SMALL)
+        self.reference = pmui.Select(label="Differences from", **_FIELD)
         self.axis = pmui.Select(
-            label="Force and iterations against", options=[DEPTH, TIME], value=DEPTH, width=220,
+            label="Force and iterations against", options=[DEPTH, TIME], value=DEPTH,
             **_FIELD,
         )  # fmt: skip
         self.root = pn.Row(
@@ -117,5 +122,5 @@ def _offer(select: pmui.Select, before: Sequence[Pinned], runs: Sequence[Pinned]
     look = next((run.look for run in before if run.label == select.value), None)
     labels = [run.label for run in runs]
     if select.options != labels:
-        kept = [run.label for run in runs if run.look == look] or labels or [None]
-        select.param.update(options=labels, value=kept[0])
+        kept = [run.label for run in runs if run.look == look] or labels
+        select.param.update(options=labels, value=kept[0] if kept else None)

@@ -13,7 +13,8 @@ from .style import Size
 _DASHES = {"solid": "", "dashed": "7 4", "dotted": "2 4", "dotdash": "2 4 7 4"}
 
 STYLE = """
-.scroll { overflow-x: auto; max-width: 100%; margin: 0 0 10px; }
+:host, :host > div { display: block; width: 100%; min-width: 0; }
+.scroll { overflow-x: auto; contain: inline-size; margin: 0 0 10px; }
 .scroll:focus-visible { outline: 2px solid currentColor; }
 table { border-collapse: collapse; }
 caption { text-align: left; font-weight: 600; padding: 4px 0; }

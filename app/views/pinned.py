@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
-from bokeh.models import ColumnDataSource, GlyphRenderer
+from bokeh.models import ColumnDataSource
 from bokeh.plotting import figure
 
 from ..pinned import Pinned
@@ -30,7 +31,7 @@ class PinnedCurves:
 
     def __init__(self, fig: figure) -> None:
         self._fig = fig
-        self.renderers: list[GlyphRenderer] = []
+        self.renderers: list[Any] = []
         self._drawn: list[Pinned | None] = []
         self._width = _WIDTH
 

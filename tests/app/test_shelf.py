@@ -124,6 +124,13 @@ def test_only_what_differs_is_listed(make: Make) -> None:
     ]  # fmt: skip
 
 
+def test_a_part_is_named_once(make: Make) -> None:
+    shelf = Shelf()
+    shelf.pin(make(loading__profile="quadratic", springs__exchange_count=2))
+    names = [row.name for row in shelf.differences(make(road__seed=3))]
+    assert names == ["Road: Seed", "Spring exchange", "Loading profile"]
+
+
 def test_key_figures_have_units_and_a_dash_where_there_is_none(make: Make) -> None:
     shelf = Shelf()
     pin = shelf.pin(make())

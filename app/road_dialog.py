@@ -13,7 +13,7 @@ from tyrecontact.parts.road import Road
 from tyrecontact.settings import Count
 
 from .road_reading import Look, square_that_fits
-from .views.road_facts import banner, table
+from .views.road_facts import BUSY, banner, table
 from .views.road_preview import RoadPreview
 
 #: settings that are asked as numbers: name -> label
@@ -43,6 +43,8 @@ _ORDER = (
     "profile_use", "size", "centre_x", "centre_y", "elements", "fill_limit",
 )  # fmt: skip
 _ASKED = {"pitch": "the distance of its heights (pitch)", "unit": "the unit of its heights"}
+#: signs of a file's name in the title
+_SHORT = 22
 #: settings that the dialog decides on
 SETTINGS = (*_NUMBERS, *_CHOICES)
 
@@ -76,9 +78,7 @@ class RoadDialog:
         self.message = pn.pane.HTML("", margin=(4, 10), sizing_mode="stretch_width")
         self.facts = pn.pane.HTML("", margin=(4, 10), sizing_mode="stretch_width")
         self.preview = RoadPreview()
-        self.busy = pmui.LinearProgress(
-            variant="indeterminate", margin=(0, 10), sizing_mode="stretch_width"
-        )
+        self.busy = pn.pane.HTML("", height=10, margin=(0, 10), sizing_mode="stretch_width")
         self.use_button = pmui.Button(label="Use this road", variant="contained", disabled=True)
         self.cancel_button = pmui.Button(label="Cancel", variant="outlined")
         self.use_button.on_click(lambda _: use())
@@ -94,16 +94,16 @@ class RoadDialog:
         self.facts.object = ""
         self.preview.clear()
         self._arrange(None)
-        self.root.param.update(title=f"Your road: {name}", open=True)
+        self.root.param.update(title=_title(name), open=True)
         self._changed()
 
     def refuse(self, name: str, sentence: str) -> None:
         """Say why a file is not even looked at."""
         self._arrange(None)
-        self.busy.visible = False
+        self.busy.object = ""
         self.use_button.disabled = True
         self._say("error", _sentence(sentence))
-        self.root.param.update(title=f"Your road: {name}", open=True)
+        self.root.param.update(title=_title(name), open=True)
 
     def close(self) -> None:
         """Leave the page to itself again."""
@@ -123,7 +123,7 @@ class RoadDialog:
 
     def show(self, look: Look, road: Road) -> None:
         """What came of the settings."""
-        self.busy.visible = False
+        self.busy.object = ""
         if look.found is not None and look.view is not None:
             side = square_that_fits(look, road.size)
             if self._fresh and side != road.size and side >= Road.param.size.bounds[0]:
@@ -150,10 +150,10 @@ class RoadDialog:
         try:
             road = self.road()
         except InputError as error:
-            self.busy.visible = False
+            self.busy.object = ""
             self._say("error", _sentence(str(error)))
             return
-        self.busy.visible = True
+        self.busy.object = BUSY
         if not self.facts.object:
             self._say("info", "Reading the file …")
         self.preview.mark(road)
@@ -199,7 +199,6 @@ class RoadDialog:
             pn.Row(self.use_button, self.cancel_button),
             title="Your road", title_variant="h6", width_option="md", scroll="paper",
             sizing_mode="stretch_width",
-            sx={"& .MuiDialogTitle-root": {"overflowWrap": "anywhere"}},
         )  # fmt: skip
 
 
@@ -209,7 +208,9 @@ _SMALL: dict[str, Any] = {"size": "small", "width": 188, "margin": (8, 8)}
 def _number(name: str, label: str) -> pmui.FloatInput | pmui.IntInput:
     unit = Road.param[name].metadata["shown_in"][0]
     kind = pmui.IntInput if isinstance(Road.param[name], Count) else pmui.FloatInput
-    return kind(label=f"{label} [{unit}]" if unit else label, **_SMALL)
+    # its buttons for more and less have no name to a screen reader; the arrow keys do the same
+    plain = {"& .MuiIconButton-root": {"display": "none"}}
+    return kind(label=f"{label} [{unit}]" if unit else label, sx=plain, **_SMALL)
 
 
 def _verdict(look: Look, road: Road) -> tuple[str, str]:
@@ -224,6 +225,11 @@ def _verdict(look: Look, road: Road) -> tuple[str, str]:
         return "warning", f"Please check: {'; '.join(look.found.doubts)}."
     side = f"{road.size * 1e3:.4g} mm"
     return "success", f"This is what was understood. A patch of {side} × {side} will be used."
+
+
+def _title(name: str) -> str:
+    """With a name that fits on a phone; the facts have it in full."""
+    return f"Your road: {name if len(name) <= _SHORT else f'{name[:12]}…{name[-9:]}'}"
 
 
 def _sentence(text: str) -> str:

@@ -14,11 +14,16 @@ _BANNERS = {
     "success": ("✓", "#009E73"), "info": ("…", "#0072B2"),
     "warning": ("⚠", "#E69F00"), "error": ("✕", "#D55E00"),
 }  # fmt: skip
+#: shown while a file is worked on
+BUSY = (
+    '<progress aria-label="Working on the file" style="display:block;width:100%;height:6px">'
+    "</progress>"
+)
 _UNIT = {"um": "µm"}
 _ROW = (
     '<tr><th scope="row" style="text-align:left;font-weight:400;padding:1px 12px 1px 0;'
-    'vertical-align:top;white-space:nowrap;opacity:.85">{}</th><td style="padding:1px 0">{}</td>'
-    "</tr>"
+    'vertical-align:top;white-space:nowrap;opacity:.85">{}</th>'
+    '<td style="padding:1px 0;overflow-wrap:anywhere">{}</td></tr>'
 )
 
 
@@ -29,6 +34,7 @@ def facts(found: Understood) -> list[tuple[str, str]]:
                        for n in reversed(found.shape))  # fmt: skip
     unit = _UNIT.get(found.unit, found.unit)
     rows = [
+        ("File", found.name),
         ("Kind", f"{'profile' if found.profile else 'map'} ({found.kind})"),
         ("Extent", f"{size} mm, {count} heights"),
         ("Pitch", f"{three_digits(found.pitch * 1e6)} µm, {_ORIGIN[found.pitch_origin]}"),

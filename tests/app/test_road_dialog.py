@@ -72,6 +72,14 @@ def test_a_value_out_of_bounds_is_one_sentence_with_the_name_of_its_field(profil
     assert asked.dialog.use_button.disabled
 
 
+def test_a_long_name_is_short_in_the_title_and_whole_in_the_facts(profile: Path) -> None:
+    name = f"{'long' * 20}.dat"
+    asked = Asked(profile.rename(profile.with_name(name)))
+    assert asked.dialog.root.title == "Your road: longlonglong…glong.dat"
+    assert name in asked.dialog.facts.object
+    assert not asked.dialog.busy.object
+
+
 def test_a_steep_road_is_usable_but_doubted(profile: Path) -> None:
     asked = Asked(profile)
     assert "Please check: an rms slope" in asked.dialog.message.object

@@ -28,8 +28,12 @@ NO_MARKS: dict[str, list[Any]] = {"x": [], "y": [], "marker": []}
 NO_FRAME: dict[str, list[Any]] = {"x": [], "y": [], "side": []}
 
 _WHERE = "const at = special_vars.image_index; return `row ${at.j}, column ${at.i}`"
-_VALUE = "return Number.isFinite(value) ? `${Number(value.toPrecision(3))} ${unit}` : '–'"
-_STATE = "return names[value]"
+# what is no number would be written as NaN before it could be told otherwise
+_STATE = """
+const known = image.data.value[0][special_vars.image_index.flat_index]
+const said = Number.isFinite(known) ? `, ${Number(known.toPrecision(3))} ${unit}` : ""
+return names[value] + said
+"""
 
 
 def no_image(side: float) -> dict[str, list[Any]]:
@@ -56,7 +60,7 @@ class MapFigure:
         self.root: Any = figure(
             x_axis_label="x [mm]", y_axis_label="y [mm]", x_range=ranges[0], y_range=ranges[1],
             match_aspect=True, sizing_mode="scale_width", tools="save", toolbar_location="above",
-            output_backend="canvas", min_border_right=20, outline_line_color=None,
+            output_backend="canvas", min_border_right=40, outline_line_color=None,
         )  # fmt: skip
         self._draw()
         for data_range in ranges:
@@ -72,7 +76,7 @@ class MapFigure:
     @unit.setter
     def unit(self, unit: str) -> None:
         if unit != self.unit:
-            self._formatter.args = {"unit": unit}
+            self._formatter.args = {**self._formatter.args, "unit": unit}
 
     def colour(self, palette: tuple[str, ...], low: float, high: float) -> None:
         """Colour what is between two values."""
@@ -90,8 +94,8 @@ class MapFigure:
         """Set the type, and a shape of which the map takes all at 440 px."""
         size.apply(self.root)
         self.bar.major_label_text_font_size = f"{size.tick}px"
-        wide = 32 + 1.2 * size.label + 1.2 * size.tick
-        high = 52 + 1.2 * (size.title + size.label + 2 * size.tick)
+        wide = 52 + 1.2 * size.label + 1.2 * size.tick
+        high = 50 + 1.2 * (size.title + size.label + 2 * size.tick)
         self.root.aspect_ratio = 440 / (440 - wide + high)
 
     def _draw(self) -> None:
@@ -117,13 +121,13 @@ class MapFigure:
         self.root.add_layout(self.bar, "below")
 
     def _add_hover(self) -> None:
-        self._formatter = CustomJSHover(code=_VALUE, args={"unit": ""})
+        args = {"names": list(STATES), "image": self.image, "unit": ""}
+        self._formatter = CustomJSHover(code=_STATE, args=args)
         formatters: dict[str, Any] = {
             "$x": CustomJSHover(code=_WHERE),
-            "@value": self._formatter,
-            "@state": CustomJSHover(code=_STATE, args={"names": list(STATES)}),
+            "@state": self._formatter,
         }
-        tips = [("element", "$x{custom}"), ("value", "@value{custom}"), ("", "@state{custom}")]
+        tips = [("element", "$x{custom}"), ("state", "@state{custom}")]
         self.root.add_tools(
             HoverTool(renderers=[self._image], tooltips=tips, formatters=formatters)
         )

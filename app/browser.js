@@ -64,14 +64,12 @@ export function render({model, el}) {
   document.addEventListener("keydown", listen)
   model.on("remove", () => document.removeEventListener("keydown", listen))
   // a frame is on the screen when the browser has come to rest after drawing it
-  model.on("frame", () => {
-    const frame = model.frame
-    requestAnimationFrame(() => setTimeout(() => {
-      model.send_msg({shown: frame})
-      document.dispatchEvent(new CustomEvent("tyrecontact-frame", {detail: frame}))
-    }, 0))
-  })
+  const drawn = ({frame, answer}) => requestAnimationFrame(() => setTimeout(() => {
+    if (answer) { model.send_msg({shown: frame}) }
+    document.dispatchEvent(new CustomEvent("tyrecontact-frame", {detail: frame}))
+  }, 0))
   model.on("msg:custom", async (message) => {
+    if (message.frame !== undefined) { drawn(message) }
     if (message.copy !== undefined) { model.send_msg({copied: await copy(message.copy)}) }
     for (const [name, value] of Object.entries(message.style ?? {})) {
       document.documentElement.style.setProperty(name, value)

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import param
 from panel.custom import JSComponent
 
 #: frames that may be under way to the screen, so that neither side waits for the other
-_AHEAD = 2
+_AHEAD = 4
+#: of so many frames the browser tells of one: each answer takes the solver's time
+_ANSWERED = 2
 #: seconds after which a browser that says nothing (a hidden tab) is sent a frame all the same
 _PATIENCE = 1.0
 
@@ -29,13 +30,11 @@ class Browser(JSComponent):
     on_key, on_width : called with the name of a key; with the window's width [px] at first.
     """
 
-    frame = param.Integer(default=0)
-
     _esm = Path(__file__).parent / "browser.js"
 
     def __init__(self, **params: Any) -> None:
         super().__init__(**params)
-        self.shown = 0
+        self.frame = self.shown = 0
         self.address = ""
         self.on_key: Callable[[str], None] = _ignore
         self.on_width: Callable[[int], None] = _ignore
@@ -52,6 +51,7 @@ class Browser(JSComponent):
         """Call after all changes of a frame: the browser tells when it has drawn them."""
         self._sent = time.monotonic()
         self.frame += 1
+        self._send_msg({"frame": self.frame, "answer": self.frame % _ANSWERED == 0})
 
     def copy(self, text: str) -> None:
         """Put a text into the clipboard; `on_copied` is called with whether it worked."""

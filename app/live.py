@@ -164,7 +164,8 @@ class Live:
         if self._shown == (step, ended):
             return
         self._shown = (step, ended)
-        self.contact_map.show(run.record, step, run.simulation.kernel.spacing)
+        settled = ended or self.player.step is not None
+        self.contact_map.show(run.record, step, run.simulation.kernel.spacing, settled)
         self.element.update(run, step, ended)
         place = None if self.player.step is None else self._place(run, step)
         self.force.point_at(place)

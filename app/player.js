@@ -53,25 +53,25 @@ export function render({model, el}) {
   let held = false
   slider.onpointerdown = () => { held = true }
   slider.onpointerup = slider.onpointercancel = slider.onchange = () => { held = false }
-  const place = () => {
-    const last = Math.max(model.count - 1, 0)
+  let answered = null
+  const show = ({count, step, label: words, playing, speed: times}) => {
+    const last = Math.max(count - 1, 0)
     slider.max = last
-    if (!held) slider.value = model.step < 0 ? last : model.step
-    slider.ariaValueText = label.textContent = model.label
-    const none = model.count < 2
-    for (const control of [slider, play, live, speed]) control.disabled = none
-    live.setAttribute("aria-pressed", model.step < 0)
+    if (!held) slider.value = step < 0 ? last : step
+    slider.ariaValueText = label.textContent = words
+    for (const control of [slider, play, live, speed]) control.disabled = count < 2
+    live.setAttribute("aria-pressed", step < 0)
+    const sign = playing ? "❚❚" : "▶"
+    if (play.textContent !== sign) {
+      play.textContent = sign
+      play.ariaLabel = play.title = playing ? "Pause the replay" : "Replay"
+    }
+    if (speed.value !== String(times)) speed.value = String(times)
+    if (step !== answered) scrub.answered()
+    answered = step
   }
-  const state = () => {
-    play.textContent = model.playing ? "❚❚" : "▶"
-    play.ariaLabel = play.title = model.playing ? "Pause the replay" : "Replay"
-    speed.value = String(model.speed)
-  }
-  model.on(["count", "step", "label"], place)
-  model.on("step", scrub.answered)
-  model.on(["playing", "speed"], state)
-  place()
-  state()
+  model.on("msg:custom", show)
+  show(model.state)
   return make("div", {className: "bar", role: "group", ariaLabel: "Replay"},
     play, slider, speed, live, label)
 }

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import panel as pn
 import param
 
-from .views.headline import three_digits
+from .plain_words import three_digits
+from .told import Told
 
 #: a run is replayed in so many seconds at speed 1
 DURATION = 8.0
@@ -30,14 +30,15 @@ button[aria-pressed="true"] { background: color-mix(in srgb, currentColor 20%, t
 """
 
 
-class PlayerBar(pn.custom.JSComponent):
-    """What the browser shows; `step` is -1 where the newest is followed."""
+class PlayerBar(Told):
+    """What the browser shows, in one piece: each would be a message of its own.
 
-    count = param.Integer(0)
-    step = param.Integer(-1)
-    playing = param.Boolean(False)
-    speed = param.Number(1.0)
-    label = param.String("")
+    `state` has count, step (-1 where the newest is followed), playing, speed and label.
+    """
+
+    state = param.Dict(
+        default={"count": 0, "step": -1, "playing": False, "speed": 1.0, "label": ""}
+    )
 
     _esm = Path(__file__).parent / "player.js"
     _stylesheets = [_STYLE]  # noqa: RUF012
@@ -72,11 +73,11 @@ class Player:
 
     @property
     def playing(self) -> bool:
-        return bool(self.root.playing)
+        return bool(self.root.state["playing"])
 
     @property
     def speed(self) -> float:
-        return float(self.root.speed)
+        return float(self.root.state["speed"])
 
     def reset(self) -> None:
         """Follow a run that has not begun."""
@@ -145,7 +146,9 @@ class Player:
     def _tell(self, **state: Any) -> None:
         """What the browser shows, in one message; none where nothing has changed."""
         step = -1 if self.step is None else self.step
-        self.root.param.update(count=self._count, step=step, label=self._label(), **state)
+        now = {"count": self._count, "step": step, "label": self._label()}
+        told = {**self.root.state, **now, **state}
+        self.root.tell(told)
 
     def _label(self) -> str:
         if not self._count:

@@ -25,9 +25,9 @@ from .views.style import DESK, HALL
 from .whatif import WhatIf
 
 #: milliseconds between two looks at what the solver has left
-FRAME = 33
+FRAME = 50
 #: looks at the solver from one to the next drawing of a tab at rest while a run goes on
-_TAB_PERIOD = 40
+_TAB_PERIOD = 30
 #: least time from one run to the next where every change is run [ms]
 _LIVE_PAUSE = 90
 #: profiles that return: forth and back on one axis would lie on top of each other

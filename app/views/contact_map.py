@@ -40,6 +40,7 @@ class ContactMapView:
         self.root: Any = self.drawing.root
         self._elements, self._spacing = 20, 1e-3
         self._followed: tuple[int, int] | None = None
+        self._settled = True
         self.clear()
         self.enlarge(DESK)
         # while a busy browser draws a run, it takes a tap for a long press
@@ -89,11 +90,15 @@ class ContactMapView:
             self.root.title.text = MODES[name].title
         self._draw()
 
-    def show(self, record: Record, step: int, spacing: float) -> None:
-        """Show a step of the record, or the nearest whose fields are kept; elements of side
-        `spacing` [m].
+    def show(self, record: Record, step: int, spacing: float, settled: bool = True) -> None:
+        """Show a step of the record, or the nearest whose fields are kept.
+
+        Parameters
+        ----------
+        spacing : side of an element [m].
+        settled : the step stays on show, and the title names it.
         """
-        self._on_show, self._spacing = (record, step), spacing
+        self._on_show, self._spacing, self._settled = (record, step), spacing, settled
         self._draw()
 
     def follow(self, row: int, column: int) -> None:
@@ -116,7 +121,7 @@ class ContactMapView:
             return
         record, step = self._on_show
         number, fields = record.fields(step)
-        if self._drawn == (record, number, self.mode, self.scale):
+        if self._drawn == (record, number, self.mode, self.scale, self._settled):
             return
         mode = MODES[self.mode]
         values = mode.values(fields, self._spacing**2)
@@ -131,13 +136,21 @@ class ContactMapView:
         }
         self._mark(fields if mode.marks else None)
         self._entitle(record, number, values)
-        self._drawn = (record, number, self.mode, self.scale)
+        self._drawn = (record, number, self.mode, self.scale, self._settled)
 
     def _entitle(self, record: Record, number: int, values: np.ndarray) -> None:
-        time = three_digits(float(record.columns["time"][number]) * 1e3)
         beyond = np.count_nonzero(values > self.scale.high) if self.scale.fixed else 0
         more = f", {beyond} beyond scale" if beyond else ""
-        self.root.title.text = f"{MODES[self.mode].title}, step {number}, {time} ms{more}"
+        title = f"{MODES[self.mode].title}{self._when(record, number)}{more}"
+        if self.root.title.text != title:
+            self.root.title.text = title
+
+    def _when(self, record: Record, number: int) -> str:
+        """Of a step that stays on show: for another title the plot is laid out anew."""
+        if not self._settled:
+            return ""
+        time = three_digits(float(record.columns["time"][number]) * 1e3)
+        return f", step {number}, {time} ms"
 
     def _fit(self, values: np.ndarray, room: float = 1.5) -> None:
         """Limits that hold these values, too."""

@@ -36,8 +36,7 @@ export function render({model, el}) {
     }
     return cells.get(name)
   }
-  const show = () => {
-    const shown = model.shown
+  const show = (shown) => {
     for (const [name, value, unit] of shown.figures ?? []) {
       const [number, unit_node] = cell(name)
       write(number, value)
@@ -52,6 +51,6 @@ export function render({model, el}) {
     sentence.className = shown.bad ? "words bad" : "words"
     if (shown.ended) { write(aloud, shown.sentence) }
   }
-  model.on("shown", show)
-  show()
+  model.on("msg:custom", show)
+  show(model.state)
 }

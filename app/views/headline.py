@@ -5,11 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, ClassVar
 
-import param
-from panel.custom import JSComponent
-
 from ..plain_words import describe, duration, three_digits
 from ..runner import Run
+from ..told import Told
 
 _REST = "Press Run: a rubber tread block is pressed onto a rough road, element by element."
 #: name -> unit of a figure before there is one
@@ -17,10 +15,8 @@ _NAMES = {"Indentation": "µm", "Force": "N", "Contacts": "", "Iterations": "",
           "Peak force": "N", "Adherence force": "N", "Final stiffness": "MN/m"}  # fmt: skip
 
 
-class Headline(JSComponent):
-    """What is drawn: `shown`, a dictionary of plain values."""
-
-    shown = param.Dict(default={})
+class Headline(Told):
+    """Figures, progress and sentence; `state` is a dictionary of plain values."""
 
     _esm = Path(__file__).parent / "headline.js"
     _stylesheets: ClassVar[list[Any]] = [Path(__file__).parent / "headline.css"]
@@ -67,9 +63,8 @@ class HeadlineView:
 
     def _draw(self) -> None:
         figures = [[name, value, unit] for name, (value, unit) in self.figures.items()]
-        self.root.shown = {
-            "figures": figures, "sentence": self.sentence, "notice": self.notice, **self._state
-        }  # fmt: skip
+        state = {"figures": figures, "sentence": self.sentence, "notice": self.notice}
+        self.root.tell({**state, **self._state})
 
 
 def _figures(run: Run | None) -> dict[str, tuple[str, str]]:

@@ -80,11 +80,15 @@ class MapFigure:
 
     def colour(self, palette: tuple[str, ...], low: float, high: float) -> None:
         """Colour what is between two values."""
-        self.mapper.update(palette=palette, low=low, high=high)
+        if tuple(self.mapper.palette) != tuple(palette):
+            self.mapper.palette = palette
+        self.mapper.update(low=low, high=high)
 
     def label(self, ticks: dict[float, str]) -> None:
         """Label the colour bar: value -> text."""
-        self.bar.update(ticker=FixedTicker(ticks=list(ticks)), major_label_overrides=ticks)
+        # the ticker stays: for another model all of the page's would be looked through
+        self.bar.ticker.ticks = list(ticks)
+        self.bar.major_label_overrides = ticks
 
     def mark_for(self, elements: int) -> None:
         """Size of the marks where there are so many elements along a side."""
@@ -115,7 +119,8 @@ class MapFigure:
 
     def _add_bar(self) -> None:
         self.bar = ColorBar(
-            color_mapper=self.mapper, width="auto", height=12, padding=4, margin=0,
+            color_mapper=self.mapper, ticker=FixedTicker(ticks=[]), width="auto", height=12,
+            padding=4, margin=0,
             label_standoff=5, background_fill_alpha=0, major_tick_line_color=None,
         )  # fmt: skip
         self.root.add_layout(self.bar, "below")

@@ -62,7 +62,9 @@ class Trace:
             chosen = np.union1d(rows[:1], self._chosen(columns, rows, ended))
             self.source.data = self._points(columns, chosen)
         elif chosen.size:
-            self.source.stream(self._points(columns, chosen))
+            # as text: each array would be two messages of its own
+            points = self._points(columns, chosen)
+            self.source.stream({name: column.tolist() for name, column in points.items()})
         self._done = self._whole(rows, ended)
         if chosen.size:
             self._last = int(chosen[-1])

@@ -13,7 +13,7 @@ def test_frames_wait_for_a_browser_that_does_not_keep_up() -> None:
     while browser.is_ready and sent < 10:
         browser.send_frame()
         sent += 1
-    assert sent == 2
+    assert sent == 4
     browser._handle_msg({"shown": 1})
     assert browser.is_ready
 

@@ -51,7 +51,7 @@ def test_a_run_is_drawn_row_by_row_to_its_end(session: Session) -> None:
     np.testing.assert_array_equal(session.live.force.source.data["force"], force)
     assert len(session.live.iterations.source.data["iterations"]) == len(force)
     assert len(session.live.iterations.margin.data["margin"]) == len(force)
-    assert session.headline.root.shown["progress"] == 1.0
+    assert session.headline.root.state["progress"] == 1.0
     assert session.header.stop.disabled
     assert session.header.pause.disabled
 

@@ -17,8 +17,8 @@ def test_the_headline_gives_figures_with_units_and_a_sentence(finished: Run) -> 
     assert view.figures["Contacts"][1] == "of 36"
     assert view.figures["Final stiffness"][1] == "MN/m"
     assert view.sentence == f"Complete, {len(results)} steps: all converged."
-    assert view.root.shown["progress"] == 1.0
-    assert view.root.shown["ended"]
+    assert view.root.state["progress"] == 1.0
+    assert view.root.state["ended"]
 
 
 def test_what_was_refused_stays_until_something_is_accepted(finished: Run) -> None:
@@ -26,8 +26,8 @@ def test_what_was_refused_stays_until_something_is_accepted(finished: Run) -> No
     view.refuse("pitch must be given")
     assert view.notice == "Not accepted: pitch must be given."
     view.update(finished)
-    assert view.root.shown["notice"] == view.notice
+    assert view.root.state["notice"] == view.notice
     assert view.sentence.startswith("Complete")
     view.accept()
-    assert view.root.shown["notice"] == ""
+    assert view.root.state["notice"] == ""
     assert view.figures["Peak force"][0] != "–"

@@ -22,8 +22,8 @@ def test_a_browser_that_says_nothing_gets_a_frame_now_and_then(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     browser = Browser()
-    browser.send_frame()
-    browser.send_frame()
+    for _ in range(4):
+        browser.send_frame()
     assert not browser.is_ready
     monkeypatch.setattr(browser, "_sent", browser._sent - 2.0)
     assert browser.is_ready

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -28,8 +29,8 @@ from .whatif import WhatIf
 FRAME = 50
 #: looks at the solver from one to the next drawing of a tab at rest while a run goes on
 _TAB_PERIOD = 30
-#: least time from one run to the next where every change is run [ms]
-_LIVE_PAUSE = 90
+#: least time from one run to the next where every change is run [s]
+_LIVE_PAUSE = 0.15
 #: profiles that return: forth and back on one axis would lie on top of each other
 _RETURNING = ("load-hold-unload", "sinusoidal", "table")
 
@@ -47,7 +48,7 @@ class Session:
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
         self.run: Run | None = None
         self._clock: Any = None
-        self._ticks, self._waiting = 0, False
+        self._ticks, self._waiting, self._live_due = 0, False, 0.0
         self._large = False
         self.on_present: Callable[[bool], None] = lambda _: None
         self.browser, self.shelf = Browser(), Shelf()
@@ -101,14 +102,13 @@ class Session:
             self.run.stop()
 
     def run_live(self) -> None:
-        """Run after a change, but not more often than can be seen."""
-        if self._waiting:
-            return
-        if self._document is None or self.run is None:
-            self.start(live=True)
-            return
-        self._waiting = True
-        self._document.add_timeout_callback(self._run_now, _LIVE_PAUSE)
+        """Run after a change: at once, but not more often than can be seen."""
+        wait = self._live_due - time.monotonic()
+        if self._document is None or (wait <= 0 and not self._waiting):
+            self._run_now()
+        elif not self._waiting:
+            self._waiting = True
+            self._document.add_timeout_callback(self._run_now, round(1e3 * max(wait, 0.0)) + 1)
 
     def load_preset(self, name: str) -> None:
         """Put a preset into the form."""
@@ -151,7 +151,7 @@ class Session:
             self._stop_clock()
 
     def _run_now(self) -> None:
-        self._waiting = False
+        self._waiting, self._live_due = False, time.monotonic() + _LIVE_PAUSE
         self.start(live=True)
 
     def _open_link(self) -> None:

@@ -13,12 +13,17 @@ function number_entry(model, row, id, send) {
   const entry = add(row, "input", {type: "number", id, step: "any", min: model.low, max: model.high})
   if (slider === null) { entry.className = "alone" } else {
     slider.setAttribute("aria-label", `${model.label}, slider`)
-    let waiting = null
+    // the first value of a drag at once, the others not faster than they can be run
+    let timer = null, wanted = null
+    const next = () => {
+      timer = wanted === null ? null : setTimeout(next, PAUSE)
+      if (wanted !== null) { send(wanted) }
+      wanted = null
+    }
     slider.addEventListener("input", () => {
       entry.value = slider.value
-      if (waiting === null) {
-        waiting = setTimeout(() => { waiting = null; send(Number(slider.value)) }, PAUSE)
-      }
+      wanted = Number(slider.value)
+      if (timer === null) { next() }
     })
   }
   entry.addEventListener("change", () => send(entry.value === "" ? null : Number(entry.value)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 import panel as pn
 from bokeh.models import Legend
 from bokeh.plotting import figure
@@ -13,7 +15,6 @@ from app.views.stiffness import StiffnessView
 from app.views.style import DESK, HALL
 from app.views.tab import TabView
 from tyrecontact import Scenario
-from tyrecontact.results import Record
 
 ALL = (StiffnessView, ReleaseView, EnergyView)
 
@@ -35,22 +36,31 @@ def test_a_run_that_was_refused_is_told_with_its_reason(small: Scenario) -> None
         assert not panes(view)
 
 
-def test_a_run_of_few_steps_is_told_as_far_as_it_goes(finished: Run) -> None:
-    run = Run(finished.scenario)
-    run.simulation, run.baseline = finished.simulation, finished.baseline
-    assert run.simulation is not None
-    run.record = Record(len(run.simulation), run.simulation.bodies.kernel.shape)
-    run.phase = Phase.STOPPED
-    for view in (made() for made in ALL):
-        view.show(run)
-        assert "stopped before its first step" in view.reading.sentence
-    steps = iter(run.simulation)
+def test_a_run_of_few_steps_is_told_as_far_as_it_goes(small: Scenario) -> None:
+    run = Run(small, paused=True)
+    run.start()
     for _ in range(2):
-        run.record.append(next(steps))
+        run.step()
+    while run.record is None or run.record.count < 2:
+        time.sleep(0.005)
+    run.stop()
+    assert run.join(30)
     for view in (made() for made in ALL):
         view.show(run)
         assert view.reading.sentence
         view.root.get_root()
+
+
+def test_a_run_that_was_stopped_before_its_first_step_says_so(small: Scenario) -> None:
+    run = Run(small, paused=True)
+    run.start()
+    while run.record is None:
+        time.sleep(0.005)
+    run.stop()
+    assert run.join(30)
+    for view in (made() for made in ALL):
+        view.show(run)
+        assert "stopped before its first step" in view.reading.sentence
 
 
 def test_the_same_is_not_drawn_twice_and_new_data_come_in_place(finished: Run) -> None:

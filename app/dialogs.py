@@ -40,7 +40,7 @@ class Dialogs:
     Parameters
     ----------
     load_preset : called with the name of a preset that was chosen.
-    run : gives the run on show.
+    run : gives the run on show, and the preset it began as.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Dialogs:
         controls: Controls,
         browser: Browser,
         load_preset: Callable[[str], None],
-        run: Callable[[], Run | None],
+        run: Callable[[], tuple[str, Run | None]],
     ) -> None:
         self._controls, self._browser, self._load_preset = controls, browser, load_preset
         self._run, self._downloads = run, Downloads()
@@ -90,7 +90,7 @@ class Dialogs:
         self._browser.on_copied = lambda worked: note.param.update(
             object="Copied." if worked else "Not copied: select the link and copy it by hand."
         )
-        self._downloads.show(controls.preset, self._run(), controls.file_names)
+        self._downloads.show(*self._run(), controls.file_names)
         self._open("Share and download", "md", entry, copy, note, self._downloads.root)
 
     def _chosen(self, name: str) -> None:

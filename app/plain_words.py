@@ -42,8 +42,10 @@ def describe(run: Run) -> tuple[str, bool]:
         reason = run.record.stop_reason
         return f"{reason[:1].upper()}{reason[1:]}. What was computed stays.", True
     failure = _failure(run, count)
+    why = f" ({run.message})" if run.message else ""
     so_far = {
-        Phase.STOPPED: f"Stopped at step {count} of {total}; what was computed stays",
+        Phase.STOPPED: f"Stopped at step {count} of {total}{why}; what was computed stays",
+        Phase.COMPARING: f"All {total} steps are done, the quasi-static run is being made",
         Phase.PAUSED: f"Paused at step {count} of {total}",
         Phase.FINISHED: f"Complete, {total} steps",
     }.get(run.phase, f"Step {count} of {total}")

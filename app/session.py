@@ -47,6 +47,7 @@ class Session:
     def __init__(self) -> None:
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
         self.run: Run | None = None
+        self._ran = "default"  # the preset that it began as
         self._clock: Any = None
         self._ticks, self._waiting, self._live_due = 0, False, 0.0
         self._large = False
@@ -65,7 +66,7 @@ class Session:
 
     def start(self, paused: bool = False, live: bool = False) -> None:
         """Run the scenario of the form; it supersedes a run that is under way."""
-        before = self.run
+        before, self._ran = self.run, self.controls.preset
         self.run = Run(
             self.controls.scenario, self.whatif.duration, after=before, paused=paused,
             baseline_first=not live, limits=limits(), slots=slots(),

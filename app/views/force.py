@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,8 @@ from .trace import Trace
 _COLUMNS = ("time_ms", "indentation_um", "force")
 #: vertical range before the first run [N]
 _TOP = 500.0
+#: of steps that have not converged
+_FADED = 0.35
 
 
 class ForceView:
@@ -23,7 +26,7 @@ class ForceView:
 
     def __init__(self) -> None:
         self._all = Trace("force", "contact_force", "force")
-        self._bad = Trace("force", "contact_force")
+        self._sound, self._bad = Trace("force", "contact_force"), Trace("force", "contact_force")
         self.source, self.failed = self._all.source, self._bad.source
         self.baseline = ColumnDataSource({name: [] for name in _COLUMNS})
         self.root = plot("Contact force", "Force [N]", None, top=_TOP)
@@ -31,6 +34,7 @@ class ForceView:
         self._glyphs = []
         self._line(self.baseline, GREY, 5, alpha=0.55)
         line = self._run = self._line(self.source, RUN_COLOR[False], 2)
+        self._over = self._line(self._sound.source, RUN_COLOR[False], 2)
         marks = self.root.scatter(
             "indentation_um", "force", source=self.failed, marker="x", size=7,
             line_color=VERMILION, line_width=2,
@@ -55,7 +59,7 @@ class ForceView:
     def look(self) -> None:
         """Show in full what of a long run the horizontal range has been narrowed to."""
         span, axis = self.root.x_range, self._glyphs[-1].glyph.x
-        for points in (self._all, self._bad):
+        for points in (self._all, self._sound, self._bad):
             points.look(axis, span.start, span.end)
 
     def point_at(self, place: float | None) -> None:
@@ -65,15 +69,18 @@ class ForceView:
     def enlarge(self, size: Size) -> None:
         """Set the type."""
         size.apply(self.root)
-        self._run.glyph.line_width = 2 * size.line
+        for line in (self._run, self._over):
+            line.glyph.line_width = 2 * size.line
 
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
-        self._run.glyph.line_color = RUN_COLOR[dark]
+        for line in (self._run, self._over):
+            line.glyph.line_color = RUN_COLOR[dark]
 
     def reset(self) -> None:
-        self._all.clear()
-        self._bad.clear()
+        for points in (self._all, self._sound, self._bad):
+            points.clear()
+        self._run.glyph.line_alpha = 1.0
         self.baseline.data = {name: [] for name in _COLUMNS}
 
     def compare_with(self, baseline: Baseline, fit: bool = True) -> None:
@@ -94,6 +101,15 @@ class ForceView:
         self._make_room_for(columns["contact_force"][low:high])
         bad = np.flatnonzero(columns["converged"][:high] == 0)
         self._bad.update(columns, bad, ended)
+        if bad.size:
+            self._fade(columns, high, ended)
+
+    def _fade(self, columns: Mapping[str, np.ndarray], high: int, ended: bool) -> None:
+        """Fade the line of the run, and draw over it what has converged."""
+        if self._run.glyph.line_alpha != _FADED:
+            self._run.glyph.line_alpha = _FADED
+        sound = np.where(columns["converged"] == 0, np.nan, columns["contact_force"])
+        self._sound.update({**columns, "contact_force": sound}, np.arange(high), ended)
 
     def _make_room_for(self, force: np.ndarray) -> None:
         """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""

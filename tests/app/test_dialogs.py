@@ -19,7 +19,7 @@ def dialogs(chosen: list[str]) -> Dialogs:
     controls, browser = Controls(lambda _: None, lambda _: None), Browser()
     browser.address = "http://localhost:5006/app"
     controls.change("loading.rate", 0.05)
-    return Dialogs(controls, browser, chosen.append, lambda: None)
+    return Dialogs(controls, browser, chosen.append, lambda: ("default", None))
 
 
 def test_a_preset_that_is_chosen_is_handed_on_and_the_dialog_closes(

@@ -41,6 +41,13 @@ def test_steps_that_did_not_converge_are_marked(finished: Run) -> None:
     view.update(record, 0, record.count)
     expected = record.columns["indentation"][[5, 9]] * 1e6
     np.testing.assert_allclose(view.failed.data["indentation_um"], expected)
+    # the line is faded, and what has converged is drawn over it
+    drawn = np.asarray(view._sound.source.data["force"])
+    assert list(np.flatnonzero(np.isnan(drawn))) == [5, 9]
+    assert view._run.glyph.line_alpha < 0.5
+    view.reset()
+    assert view._run.glyph.line_alpha == 1.0
+    assert len(view._sound.source.data["force"]) == 0
 
 
 def test_the_axis_changes_with_label_and_range(finished: Run) -> None:

@@ -59,7 +59,9 @@ class Session:
         self.live = Live(self.shelf, self._redraw)
         self.teaching = Teaching(self)
         self.tabs = Tabs(self.live.root, makers(self.controls, self.shelf, self.teaching.begin))
-        self.dialogs = Dialogs(self.controls, self.browser, self.load_preset, lambda: self.run)
+        self.dialogs = Dialogs(
+            self.controls, self.browser, self.load_preset, lambda: (self._ran, self.run)
+        )
         self._wire()
         self._open_link()
         pn.state.on_session_destroyed(lambda _: self.close())

@@ -55,7 +55,7 @@ def _wait_until_alive() -> None:
 
 
 def _choose(tab: Page, preset: str) -> None:
-    tab.locator("header").get_by_role("button", name=re.compile("default|thesis|adhesion")).click()
+    tab.get_by_role("button", name=re.compile("^(default|quasi|thesis|adhesion)")).first.click()
     tab.get_by_role("button", name=re.compile(f"^{preset}\\b")).first.click()
     tab.locator("header").get_by_role("button", name=preset, exact=True).wait_for()
     time.sleep(1.0)

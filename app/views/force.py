@@ -65,6 +65,7 @@ class ForceView:
     def enlarge(self, size: Size) -> None:
         """Set the type."""
         size.apply(self.root)
+        self.root.min_border_left = size.left
         self._run.glyph.line_width = 2 * size.line
 
     def darken(self, dark: bool) -> None:

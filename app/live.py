@@ -24,7 +24,7 @@ from .views.style import GREY, VERMILION, Size, horizontal
 #: milliseconds from a change of what a plot shows until a long run is drawn in full there
 _LOOK = 200
 #: heights that fill a screen and no more: what stands above and below is taken off
-_LEFT = "(100vh - 322px - var(--taken, 0px))"
+_LEFT = "(100vh - 332px - var(--taken, 0px))"
 _FORCE = f"clamp(230px, calc({_LEFT} * 0.6), 640px)"
 _ITERATIONS = f"clamp(190px, calc({_LEFT} * 0.4), 420px)"
 #: the map is square, and so no wider than there is height
@@ -33,7 +33,11 @@ _MAP = f"max(330px, calc({_LEFT} * 0.87))"
 #: one column on a phone
 _TWO_COLUMNS = """
 :host { display: grid; grid-template-columns: minmax(0, 7fr) minmax(0, 5fr); }
-@media (max-width: 900px) { :host { grid-template-columns: minmax(0, 1fr); } }"""
+@media (max-width: 900px) {
+  :host { grid-template-columns: minmax(0, 1fr); grid-auto-rows: max-content; }
+}"""
+#: on a phone the legend gets a line of its own
+_WRAP = "@media (max-width: 600px) { :host { flex-wrap: wrap; } }"
 
 
 class Live:
@@ -219,7 +223,10 @@ class Live:
                 filled, sizing_mode="stretch_width", margin=0, styles={"height": height}
             )
 
-        top = pn.Row(self.axis, self.pin, self.legend.root, sizing_mode="stretch_width", margin=0)
+        top = pn.Row(
+            self.axis, self.pin, self.legend.root,
+            sizing_mode="stretch_width", margin=0, stylesheets=[_WRAP],
+        )  # fmt: skip
         curves = pn.Column(
             top, plot(self.force.root, _FORCE), plot(self.iterations.root, _ITERATIONS),
             sizing_mode="stretch_width", margin=0,

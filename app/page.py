@@ -56,6 +56,8 @@ def lay_out(session: Session) -> pmui.Page:
                 session.headline.root, session.teaching.card.root, session.tabs.root,
                 session.browser, session.dialogs.root, session.controls.road_file.dialog,
                 sizing_mode="stretch_width", margin=0,
+                # as high as its contents: else no higher than the screen, and parts overlap
+                styles={"max-height": "none"},
             )
         ],
         sidebar_open=not _on_a_phone(),

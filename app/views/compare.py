@@ -15,6 +15,7 @@ from ..shelf import MOST, Shelf
 from .compare_controls import CompareControls
 from .compare_plots import Plots, plots
 from .compare_table import STYLE, key, sentences, table
+from .compare_table import beside as side_by_side
 from .input_sheet import beside, grid, height
 from .rest import Redrawn
 from .style import DESK, Size
@@ -144,11 +145,12 @@ def _listed(labels: Sequence[str]) -> str:
 
 
 def _tables(runs: Sequence[Pinned], size: Size) -> str:
-    found = table("Key figures", runs, key_figures(runs), size) + key(runs, size)
+    figures = table("Key figures", runs, key_figures(runs), size)
     if len(runs) < 2:
-        return found
+        return figures + key(runs, size)
     rows = differences(runs)
     if not rows:
         nothing = ["What differs: nothing, all settings are the same."]
-        return sentences(nothing, size) + found
-    return table("What differs", runs, rows, size) + found
+        return sentences(nothing, size) + figures + key(runs, size)
+    differing = table("What differs", runs, rows, size)
+    return side_by_side([differing, figures], len(runs)) + key(runs, size)

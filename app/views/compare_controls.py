@@ -79,8 +79,11 @@ class CompareControls:
                 self._of_label = self.label.value = self.chosen.value or ""
             begun = run is not None and run.record is not None and run.record.count > 0
             self.pin.disabled = not begun
-            for widget in (self.chosen, self.label, self.rename, self.unpin):
+            about_pins = (self.chosen, self.label, self.rename, self.unpin)
+            for widget in about_pins:
                 widget.disabled = not pinned
+            for widget in (*about_pins, self.reference, self.axis):
+                widget.visible = bool(pinned)  # an empty choice says nothing
         finally:
             self._setting = False
 

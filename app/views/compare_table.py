@@ -14,6 +14,8 @@ _DASHES = {"solid": "", "dashed": "7 4", "dotted": "2 4", "dotdash": "2 4 7 4"}
 
 STYLE = """
 :host, :host > div { display: block; width: 100%; min-width: 0; }
+.pair { display: flex; flex-wrap: wrap; gap: 0 32px; align-items: flex-start; }
+.pair > .scroll { flex: 1 1 var(--room); }
 .scroll { overflow-x: auto; contain: inline-size; margin: 0 0 10px; }
 .scroll:focus-visible { outline: 2px solid currentColor; }
 table { border-collapse: collapse; }
@@ -38,6 +40,12 @@ def table(caption: str, runs: Sequence[Pinned], rows: Sequence[Row], size: Size)
         f'style="font-size:{size.label}px"><table><caption>{escape(caption)}</caption>'
         f"<thead><tr><td></td>{heads}</tr></thead><tbody>{body}</tbody></table></div>"
     )
+
+
+def beside(tables: Sequence[str], runs: int) -> str:
+    """Tables of so many runs beside each other, where there is room for them."""
+    room = f"min(100%, {14 + 9 * runs}em)"
+    return f'<div class="pair" style="--room: {room}">{"".join(tables)}</div>'
 
 
 def key(runs: Sequence[Pinned], size: Size) -> str:

@@ -69,6 +69,7 @@ class ForceView:
     def enlarge(self, size: Size) -> None:
         """Set the type."""
         size.apply(self.root)
+        self.root.min_border_left = size.left
         for line in (self._run, self._over):
             line.glyph.line_width = 2 * size.line
 

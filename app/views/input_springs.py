@@ -98,7 +98,7 @@ class SpringsInput:
     def facts(self) -> dict[str, str]:
         """Name -> value with unit."""
         median, low, high = (
-            f"{three_digits(float(np.quantile(self.ranked, share)))} kN/m" for share in (0.5, 0, 1)
+            _stiffness(float(np.quantile(self.ranked, share))) for share in (0.5, 0, 1)
         )
         count, exchanged = self.ranked.size, int(self.swapped.sum())
         at = f"{three_digits(self.at)} µm"
@@ -236,3 +236,8 @@ def _log_plot(
     fig.toolbar.update(logo=None, autohide=True)
     fig.axis.axis_label_text_font_style = "normal"
     return fig
+
+
+def _stiffness(value: float) -> str:
+    """A stiffness [kN/m] in the unit that fits."""
+    return f"{three_digits(value)} kN/m" if value < 1e3 else f"{three_digits(value / 1e3)} MN/m"

@@ -10,6 +10,7 @@ from bokeh.models import LinearAxis, Range1d, Span
 from tyrecontact.results import Record
 
 from .style import (
+    DESK,
     GREY,
     MARGIN_COLOR,
     RUN_COLOR,
@@ -27,6 +28,7 @@ from .trace import Trace
 _SHOWN = 10
 #: of the margin on show; a run that blows up leaves it, and is lost by then
 _MARGINS = (-1.0, 1.1)
+_LABEL = "Margin (below 0: unstable)"
 
 
 class IterationsView:
@@ -58,11 +60,12 @@ class IterationsView:
 
     def _margin_line(self) -> Any:
         self.root.extra_y_ranges = {"margin": Range1d(*_MARGINS)}
-        axis = LinearAxis(y_range_name="margin", axis_label="Margin (below 0: unstable)")
+        axis = LinearAxis(y_range_name="margin", axis_label=_LABEL)
         axis.axis_label_text_font_style = "normal"
         axis.ticker.desired_num_ticks = 3
         self.root.min_border_right = 74
         self.root.add_layout(axis, "right")
+        self._right = axis
         zero = Span(dimension="width", location=0, line_color=MARGIN_COLOR, line_alpha=0.6,
                     line_dash="dotted", y_range_name="margin")  # fmt: skip
         self.root.add_layout(zero)
@@ -88,6 +91,9 @@ class IterationsView:
     def enlarge(self, size: Size) -> None:
         """Set the type."""
         size.apply(self.root)
+        self.root.min_border_left = size.left
+        # in large type there is no room for all of it
+        self._right.axis_label = _LABEL if size == DESK else "Margin"
         for line in self._glyphs[:2]:
             line.glyph.line_width = 2 * size.line
 

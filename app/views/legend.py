@@ -14,7 +14,10 @@ import panel as pn
 from .style import DESK, GREY, MARGIN_COLOR, RUN_COLOR, VERMILION, Size
 
 _STYLE = """
-ul { display: flex; flex-wrap: wrap; gap: 2px 18px; margin: 0; padding: 0; list-style: none; }
+/* room for two lines from the first: a step that fails moves no plot */
+ul { display: flex; flex-wrap: wrap; align-content: center; gap: 2px 18px; min-height: 40px;
+     margin: 0; padding: 0; list-style: none; }
+@media (max-width: 600px) { :host { flex-basis: 100% !important; } }
 li { display: flex; align-items: center; gap: 6px; white-space: nowrap; }
 """
 
@@ -48,7 +51,9 @@ class LegendView:
         self.entries: list[Entry] = []
         self._pinned: tuple[Entry, ...] = ()
         self._dark, self._failed, self._size = False, False, DESK
-        self.root = pn.pane.HTML("", stylesheets=[_STYLE], sizing_mode="stretch_width")
+        self.root = pn.pane.HTML(
+            "", stylesheets=[_STYLE], sizing_mode="stretch_width", margin=(1, 10)
+        )
         self._draw()
 
     def show_failed(self, failed: bool) -> None:

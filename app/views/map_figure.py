@@ -58,7 +58,8 @@ class MapFigure:
         # ranges that follow what is drawn keep the cells square at any width
         ranges: list[Any] = [DataRange1d(range_padding=0) for _ in range(2)]
         self.root: Any = figure(
-            x_axis_label="x [mm]", y_axis_label="y [mm]", x_range=ranges[0], y_range=ranges[1],
+            x_axis_label="x [mm]; grey: not in contact", y_axis_label="y [mm]",
+            x_range=ranges[0], y_range=ranges[1],
             match_aspect=True, sizing_mode="scale_width", tools="save", toolbar_location="above",
             output_backend="canvas", min_border_right=40, outline_line_color=None,
         )  # fmt: skip

@@ -66,6 +66,8 @@ def _house(size: Size) -> Any:
     def finish(plot: Any, _element: Any) -> None:
         fig = plot.state
         fig.toolbar.logo, fig.toolbar.autohide = None, True
+        # a wheel or a finger over a plot scrolls the page, until a tool is chosen
+        fig.toolbar.update(active_drag=None, active_scroll=None)
         fig.update(min_border_left=64, min_border_right=16, output_backend="canvas")
         fig.axis.axis_label_text_font_style = "normal"
         for legend in fig.legend:

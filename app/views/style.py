@@ -20,12 +20,18 @@ RUN_COLOR = {False: BLUE, True: "#56B4E9"}
 
 @dataclass(frozen=True)
 class Size:
-    """Type and lines of a figure [px]: one scale for a desk, one for a lecture hall."""
+    """Type and lines of a figure [px]: one scale for a desk, one for a lecture hall.
+
+    Attributes
+    ----------
+    left : room for an axis up to thousands, so that plots above each other stay in line.
+    """
 
     title: int
     label: int
     tick: int
     line: float = 1.0
+    left: int = 72
 
     def apply(self, fig: figure) -> None:
         """Set the type of a figure, and of its legends."""
@@ -54,7 +60,7 @@ def keep(model: Any, **values: Any) -> None:
             model.js_on_change(name, CustomJS(code=_SET_BACK))
 
 
-DESK, HALL = Size(14, 13, 12), Size(24, 21, 19, 1.8)
+DESK, HALL = Size(14, 13, 12), Size(24, 21, 19, 1.8, 104)
 
 
 @dataclass(frozen=True)
@@ -100,7 +106,7 @@ def plot(title: str, y_label: str, height: int | None, top: float) -> figure:
         active_scroll=None,
         toolbar_location="above",
         output_backend="canvas",
-        min_border_left=64,
+        min_border_left=DESK.left,
         min_border_right=16,
     )
     fig.toolbar.logo = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -148,6 +149,11 @@ def test_a_phone_gets_the_plots_first_and_no_sideways_scrolling(
     run.click(timeout=60_000)  # fails where the sidebar covers it
     tab.get_by_role("status").filter(has_text="Step ").wait_for(timeout=60_000)
     assert tab.evaluate("document.documentElement.scrollWidth") <= 390
+    boxes = [plot.bounding_box() for plot in tab.locator(".bk-Figure").all()]
+    shown = sorted((box["y"], box["height"]) for box in boxes if box and box["height"])
+    assert len(shown) >= 3
+    for (top, height), (below, _) in itertools.pairwise(shown):
+        assert top + height <= below + 1  # no plot lies over another
     context.close()
 
 

@@ -66,6 +66,7 @@ def test_the_run_on_show_is_pinned_by_a_click(finished: Run) -> None:
     assert view.controls is not None
     assert not view.controls.pin.disabled
     assert view.controls.unpin.disabled
+    assert not view.controls.chosen.visible  # an empty choice says nothing
     view.controls.pin.clicks += 1
     (pin,) = shelf.pinned
     assert f"Pinned as “{pin.label}”. 1 of 8 places" in view.words.object

@@ -30,6 +30,8 @@ def test_other_data_change_the_lines_and_the_ranges_and_nothing_else() -> None:
         assert max(drawn[0].data_source.data["y"]) == top
         assert drawn[0].glyph.line_width == width
     assert fig.toolbar.logo is None
+    # a wheel or a finger over a plot scrolls the page
+    assert (fig.toolbar.active_drag, fig.toolbar.active_scroll) == (None, None)
 
 
 def test_only_the_same_layers_are_taken() -> None:

@@ -161,8 +161,8 @@ class Session:
         if not search:
             return
         link = links.parse(search)
-        self.load_preset(link.preset)
         self.controls.load(link.preset, link.scenario)
+        self.choose_axis()
         if link.problems:
             self.headline.refuse("; ".join(link.problems))
 
@@ -171,6 +171,7 @@ class Session:
         self.headline.accept()
         self.whatif.update()
         self.header.preset.label = self.controls.preset
+        self.tabs.show(self.run)
         if self.whatif.live.value:
             self.run_live()
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 import panel as pn
@@ -65,7 +66,7 @@ class Controls:
         self._fields: dict[str, Field] = {}
         self.road_file = RoadFile(self.take_road, refuse, lambda: self.scenario.road)
         self.text_files = {
-            path: TextFile(title, lambda file, path=path: self.change(path, file), refuse)
+            path: TextFile(title, partial(self.change, path), refuse)
             for path, title in OF_FILES.items()
         }
         self._groups = [pn.Column(sizing_mode="stretch_width") for _ in GROUPS]

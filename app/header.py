@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import panel as pn
@@ -60,7 +61,7 @@ class Header:
             ("Presets", self.preset), ("Share", self.share), ("Help", self.help)
         ):  # fmt: skip
             copy = pmui.Button(label=label, **small)
-            copy.on_click(lambda _, button=button: button.param.trigger("clicks"))
+            copy.on_click(partial(_press, button))
             below.append(copy)
         return pn.Row(*below, margin=(0, 6))
 
@@ -72,6 +73,10 @@ class Header:
         _set(self.pause, disabled=not under_way)
         _set(self.pause, icon="play_arrow" if paused else "pause")
         _set(self.pause, description="Go on (Space)" if paused else "Pause (Space)")
+
+
+def _press(button: Any, _: Any) -> None:
+    button.param.trigger("clicks")
 
 
 def _icon(label: str, icon: str, description: str, disabled: bool = False) -> pmui.IconButton:

@@ -50,7 +50,7 @@ class TextFile:
     def root(self) -> pmui.FileInput:
         """The control; made when first shown."""
         if self._input is None:
-            self._input = _SmallFile(
+            self._input = SmallFile(
                 self._title, self._refuse, label=self._title, accept=".txt,.csv,.dat,.tsv",
                 sizing_mode="stretch_width", margin=(6, 10),
             )  # fmt: skip
@@ -93,8 +93,11 @@ class TextFile:
         return str(path)
 
 
-class _SmallFile(pmui.FileInput):
-    """One that takes no more into memory than a table has."""
+class SmallFile(pmui.FileInput):
+    """One that takes no more into memory than a table has.
+
+    The browser finds it by its name, and would not if that began with an underscore.
+    """
 
     def __init__(self, title: str, refuse: Callable[[str], None], **settings: Any) -> None:
         super().__init__(**settings)

@@ -8,7 +8,7 @@ from typing import Any
 import panel as pn
 import panel_material_ui as pmui
 
-from .runner import Run
+from .runner import Phase, Run
 
 #: what is too much for a phone's header stands in its sidebar
 _WIDE = "@media (max-width: 700px) { :host { display: none !important; } }"
@@ -70,7 +70,9 @@ class Header:
         under_way = run is not None and not run.phase.ended
         paused = run is not None and run.paused
         _set(self.stop, disabled=not under_way)
-        _set(self.pause, disabled=not under_way)
+        # while it is compared, all steps are there: there is nothing to pause
+        steps = under_way and run is not None and run.phase is not Phase.COMPARING
+        _set(self.pause, disabled=not steps)
         _set(self.pause, icon="play_arrow" if paused else "pause")
         _set(self.pause, description="Go on (Space)" if paused else "Pause (Space)")
 

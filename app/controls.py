@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 import panel as pn
@@ -13,6 +14,7 @@ from tyrecontact.errors import InputError
 
 from .fields import NAMES, Field
 from .history import History, Past
+from .road_dialog import SETTINGS
 from .road_file import RoadFile
 from .text_file import TextFile
 
@@ -28,6 +30,8 @@ GROUPS = {
 }
 #: settings that the road-file control sets itself
 OF_ROAD_FILE = ("road.file", "road.pitch", "road.height_unit")
+#: settings that go with a road file from preset to preset
+OF_ROAD = tuple(f"road.{name}" for name in (*SETTINGS, "file"))
 #: settings that name a file, which a visitor may bring but not name: path -> what it is
 OF_FILES = {
     "loading.table": "Loading table (profile: table)",
@@ -60,10 +64,9 @@ class Controls:
         self._plain = presets.get(self.preset)
         self.history = History(self._state())
         self._fields: dict[str, Field] = {}
-        self._brought: dict[str, Any] = {}  # settings of a road file in use
         self.road_file = RoadFile(self.take_road, refuse, lambda: self.scenario.road)
         self.text_files = {
-            path: TextFile(title, lambda file, path=path: self.change(path, file), refuse)
+            path: TextFile(title, partial(self.change, path), refuse)
             for path, title in OF_FILES.items()
         }
         self._groups = [pn.Column(sizing_mode="stretch_width") for _ in GROUPS]
@@ -87,13 +90,12 @@ class Controls:
 
     def value(self, path: str) -> Any:
         """A setting's value [SI]."""
-        part, parameter = self.scenario.find(path)
-        return getattr(part, parameter.name)
+        part, _ = self.scenario.find(path)
+        return getattr(part, _name(path))
 
     def differs(self, path: str) -> bool:
         """Whether a setting is another one than the preset's."""
-        part, parameter = self._plain.find(path)
-        return bool(self.value(path) != getattr(part, parameter.name))
+        return bool(self.value(path) != getattr(self._plain.find(path)[0], _name(path)))
 
     def changes(self) -> list[str]:
         """Paths of all settings that are others than the preset's."""
@@ -109,12 +111,13 @@ class Controls:
         try:
             for path, value in values.items():
                 trial.set(path, value)
+            _require_no_file(trial.tread.layers)
         except InputError as error:
             self._refuse(str(error))
             self._show(values)
             return
         for path in values:
-            self.scenario.set(path, getattr(trial.find(path)[0], path.partition(".")[2]))
+            self.scenario.set(path, getattr(trial.find(path)[0], _name(path)))
         self.history.add(self._state(), ",".join(values))
         self._show(values)
         self._tell(values)
@@ -127,24 +130,22 @@ class Controls:
 
     def restore(self, path: str) -> None:
         """Take the preset's value of a setting."""
-        part, parameter = self._plain.find(path)
-        self.change(path, getattr(part, parameter.name))
+        self.change(path, getattr(self._plain.find(path)[0], _name(path)))
 
     def load(self, preset: str, scenario: Scenario | None = None) -> None:
         """Show a preset, or a scenario that began as one; a road file that was taken stays."""
         plain = presets.get(preset)
         scenario = plain.copy() if scenario is None else scenario.copy()
-        if not scenario.road.file:
-            for path, value in self._brought.items():
-                scenario.set(path, value)
-        self.preset, self._plain, self.scenario = preset, plain, scenario
-        self.history.add(self._state(), "")
-        self._show_all()
+        own = self.scenario.road.file
+        if own and own != self._plain.road.file and not scenario.road.file:
+            for path in OF_ROAD:
+                scenario.set(path, self.value(path))
+        self._plain = plain
+        self._begin(preset, scenario)
 
     def reset(self) -> None:
         """Back to the preset, in all settings; undo brings them back."""
-        self._brought = {}
-        self.load(self.preset)
+        self._begin(self.preset, self._plain.copy())
 
     def undo(self) -> None:
         self._back_to(self.history.undo())
@@ -153,8 +154,10 @@ class Controls:
         self._back_to(self.history.redo())
 
     def take_road(self, settings: dict[str, Any]) -> None:
-        """Use a road file, or none: settings by path."""
-        self._brought = settings if settings.get("road.file") else {}
+        """Use a road file, with settings by path; or none, and the preset's instead."""
+        if not settings.get("road.file"):
+            plain = {path: value for path, _, value in self._plain.settings()}
+            settings = {path: plain[path] for path in settings}
         self.change_all(settings)
 
     def close(self) -> None:
@@ -162,6 +165,11 @@ class Controls:
         self.road_file.close()
         for file in self.text_files.values():
             file.close()
+
+    def _begin(self, preset: str, scenario: Scenario) -> None:
+        self.preset, self.scenario = preset, scenario
+        self.history.add(self._state(), "")
+        self._show_all()
 
     def _back_to(self, state: Past | None) -> None:
         if state is None:
@@ -179,6 +187,8 @@ class Controls:
 
     def _show(self, paths: Iterable[str]) -> None:
         self.road_file.show(self.scenario.road.file)
+        for path, file in self.text_files.items():
+            file.show(self.value(path))
         for path in paths:
             if path in self._fields:
                 self._fields[path].set(self.value(path))
@@ -198,3 +208,18 @@ class Controls:
                 continue
             rows.append((self.text_files.get(path) or self.field(path)).root)
         return rows
+
+
+def _require_no_file(layers: list[dict[str, Any]]) -> None:
+    """A visitor's layers read no file of the server, not even to say what is wrong with it."""
+    for layer in layers:
+        if named := layer.get("modulus_table"):
+            raise InputError(
+                "modulus_table of a layer must be empty on the page, where no file can be named, "
+                f"got {str(named)[:40]!r}: bring it as the modulus table of one layer"
+            )
+
+
+def _name(path: str) -> str:
+    """ "rate" of "loading.rate"."""
+    return path.partition(".")[2]

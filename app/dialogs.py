@@ -87,9 +87,13 @@ class Dialogs:
         )  # fmt: skip
         copy = pmui.Button(label="Copy the link", icon="content_copy", variant="contained")
         copy.on_click(lambda _: self._browser.copy(link))
-        self._browser.on_copied = lambda worked: note.param.update(
-            object="Copied." if worked else "Not copied: select the link and copy it by hand."
-        )
+
+        def copied(worked: bool) -> None:
+            note.object = (
+                "Copied." if worked else "Not copied: select the link and copy it by hand."
+            )
+
+        self._browser.on_copied = copied
         self._downloads.show(*self._run(), controls.file_names)
         self._open("Share and download", "md", entry, copy, note, self._downloads.root)
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import panel as pn
 import panel_material_ui as pmui
 
-from .runner import Run
+from .runner import Phase, Run
 
 #: what is too much for a phone's header stands in its sidebar
 _WIDE = "@media (max-width: 700px) { :host { display: none !important; } }"
@@ -60,7 +61,7 @@ class Header:
             ("Presets", self.preset), ("Share", self.share), ("Help", self.help)
         ):  # fmt: skip
             copy = pmui.Button(label=label, **small)
-            copy.on_click(lambda _, button=button: button.param.trigger("clicks"))
+            copy.on_click(partial(_press, button))
             below.append(copy)
         return pn.Row(*below, margin=(0, 6))
 
@@ -69,9 +70,15 @@ class Header:
         under_way = run is not None and not run.phase.ended
         paused = run is not None and run.paused
         _set(self.stop, disabled=not under_way)
-        _set(self.pause, disabled=not under_way)
+        # while it is compared, all steps are there: there is nothing to pause
+        steps = under_way and run is not None and run.phase is not Phase.COMPARING
+        _set(self.pause, disabled=not steps)
         _set(self.pause, icon="play_arrow" if paused else "pause")
         _set(self.pause, description="Go on (Space)" if paused else "Pause (Space)")
+
+
+def _press(button: Any, _: Any) -> None:
+    button.param.trigger("clicks")
 
 
 def _icon(label: str, icon: str, description: str, disabled: bool = False) -> pmui.IconButton:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from tyrecontact.errors import TyreContactError
@@ -78,13 +79,16 @@ class Latest:
                     self._thread = None
                     return
             number, job = task
-            answer = _answer(job, lambda number=number: number == self._asked)
+            answer = _answer(job, partial(self._wants, number))
             with self._lock:
                 wanted = number == self._asked
                 if wanted:
                     self._answer = answer
             if wanted:
                 self._wake()
+
+    def _wants(self, number: int) -> bool:
+        return number == self._asked
 
 
 def _answer(job: Job, wanted: Callable[[], bool]) -> tuple[Any, str]:

@@ -122,7 +122,9 @@ class Live:
 
     def point_at(self, place: str) -> None:
         """Draw a frame around a plot, "force", "iterations" or "map"; around none for others."""
-        plots = {"force": self.force, "iterations": self.iterations, "map": self.contact_map}
+        plots: dict[str, Any] = {
+            "force": self.force, "iterations": self.iterations, "map": self.contact_map
+        }  # fmt: skip
         for name, view in plots.items():
             pointed = name == place
             view.root.update(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import panel as pn
@@ -36,7 +37,7 @@ def _full(visitors: int) -> pn.Column:
     return pn.Column(
         pmui.Typography("tyrecontact is busy", variant="h5"),
         pmui.Typography(
-            f"This server shows the page to {visitors} visitors at once, and that many are here. "
+            f"Visitors at once on this server: {visitors}, and that many are here. "
             "Please reload in a few minutes.", variant="body1",
         ),
         margin=40,
@@ -67,12 +68,16 @@ def lay_out(session: Session) -> pmui.Page:
     )  # fmt: skip
     page.param.watch(lambda event: session.live.darken(event.new), "dark_theme")
     session.browser.on_width = lambda width: _make_room(page, session, width)
-    session.on_present = lambda large: page.param.update(sidebar_open=not large)
+    session.on_present = partial(_present, page)
     # the page would follow the server's being busy, at a redraw each, and never be freed
     for watcher in _busy_watchers():
         if watcher not in before:
             pn.state.param.unwatch(watcher)
     return page
+
+
+def _present(page: pmui.Page, large: bool) -> None:
+    page.sidebar_open = not large
 
 
 def _make_room(page: pmui.Page, session: Session, width: int) -> None:

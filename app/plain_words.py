@@ -42,24 +42,29 @@ def describe(run: Run) -> tuple[str, bool]:
         reason = run.record.stop_reason
         return f"{reason[:1].upper()}{reason[1:]}. What was computed stays.", True
     failure = _failure(run, count)
-    why = f" ({run.message})" if run.message else ""
     so_far = {
-        Phase.STOPPED: f"Stopped at step {count} of {total}{why}; what was computed stays",
+        Phase.STOPPED: f"Stopped at step {count} of {total}; what was computed stays",
         Phase.COMPARING: f"All {total} steps are done, the quasi-static run is being made",
         Phase.PAUSED: f"Paused at step {count} of {total}",
         Phase.FINISHED: f"Complete, {total} steps",
     }.get(run.phase, f"Step {count} of {total}")
-    return f"{so_far}: {failure or _warning(run, count) or 'all converged.'}", bool(failure)
+    said = f"{so_far}: {failure or _warning(run, count) or 'all converged.'}"
+    return said + _remark(run), bool(failure)
 
 
 def _before_the_first_step(run: Run) -> str:
     if run.phase is Phase.STOPPED:
-        return "Stopped before the first step."
+        return f"Stopped before the first step.{_remark(run)}"
     if run.phase is Phase.QUEUED:
         return f"Waiting for a free solver: number {run.place} in the queue."
     if run.phase is Phase.PAUSED:
         return "Paused before the first step."
     return "Stopping …" if run.stopping else "Preparing road, springs and kernel …"
+
+
+def _remark(run: Run) -> str:
+    """Why a run had to end early, or what is missing beside it."""
+    return f" {run.message[:1].upper()}{run.message[1:]}." if run.message else ""
 
 
 def _warning(run: Run, count: int) -> str:

@@ -11,8 +11,8 @@ import panel_material_ui as pmui
 from tyrecontact.errors import InputError
 from tyrecontact.road import scans
 
-#: an upload with more bytes than this is refused
-MAX_BYTES = 128_000_000
+from .limits import limits
+
 #: bytes a message: so few that the page answers between two
 _PIECE = 2_000_000
 
@@ -73,25 +73,34 @@ class Upload(pmui.FileInput):
             self._forget()
             self._done(path, name)
 
-    def _handle_msg(self, msg: dict[str, Any]) -> None:
-        """What the browser sends: the protocol of pmui's own upload, which keeps all in memory."""
-        status = msg["status"]
-        if status == "initializing":
-            self._close()
-            self._forget()
-        elif status == "upload_event":
-            self.receive(msg["name"], bytes(msg["data"]), msg["chunk"], msg["total_chunks"])
-        elif status == "finished":
-            self.finish()
-            self._send_msg({"status": "finished"})
-        elif status == "error":
-            self._drop(self._name or "The file", f"the browser could not send it: {msg['error']}")
+    def _handle_msg(self, msg: Any) -> None:
+        """What the browser sends: the protocol of pmui's own upload, which keeps all in memory.
+
+        Anyone can make it send anything: what makes no sense is passed over.
+        """
+        match msg:
+            case {"status": "initializing"}:
+                self._close()
+                self._forget()
+            case {
+                "status": "upload_event",
+                "name": str(name),
+                "data": bytes() | bytearray() | memoryview() as piece,
+                "chunk": int(number),
+                "total_chunks": int(pieces),
+            }:
+                self.receive(name, bytes(piece), number, pieces)
+            case {"status": "finished"}:
+                self.finish()
+                self._send_msg({"status": "finished"})
+            case {"status": "error", "error": str(error)}:
+                self._drop(self._name or "The file", f"the browser could not send it: {error}")
 
     def _begin(self, name: str, pieces: int) -> None:
         self._close()
         self._forget()
         ending = scans.require_known(name)
-        self._require_small((pieces - 1) * _PIECE + 1, name)
+        limits().check_upload((pieces - 1) * _PIECE + 1)
         self._name, self._pieces = name, pieces
         self._path = self._place(ending)
         self._file = self._path.open("wb")
@@ -100,14 +109,9 @@ class Upload(pmui.FileInput):
         if self._file is None or number != self._number + 1:
             raise InputError(f"pieces must come in order, got {number} after {self._number}")
         self._size += len(piece)
-        self._require_small(self._size, self._name)
+        limits().check_upload(self._size)
         self._file.write(piece)
         self._number = number
-
-    def _require_small(self, size: int, name: str) -> None:
-        if size > MAX_BYTES:
-            most, got = (f"{count / 1e6:.0f} MB" for count in (MAX_BYTES, size))
-            raise InputError(f"{name} must have at most {most}, got {got} or more")
 
     def _drop(self, name: str, sentence: str) -> None:
         self._close()

@@ -164,8 +164,8 @@ class Session:
         if not search:
             return
         link = links.parse(search)
-        self.load_preset(link.preset)
         self.controls.load(link.preset, link.scenario)
+        self.choose_axis()
         if link.problems:
             self.headline.refuse("; ".join(link.problems))
 
@@ -174,6 +174,7 @@ class Session:
         self.headline.accept()
         self.whatif.update()
         self.header.preset.label = self.controls.preset
+        self.tabs.show(self.run)
         if self.whatif.live.value:
             self.run_live()
 
@@ -192,7 +193,7 @@ class Session:
             self._clock = self._document.add_periodic_callback(self.frame, FRAME)
 
     def _stop_clock(self) -> None:
-        if self._clock is not None:
+        if self._clock is not None and self._document is not None:
             self._document.remove_periodic_callback(self._clock)
             self._clock = None
 
@@ -237,6 +238,10 @@ class Session:
             (self.header.present, self.present), (self.header.help, self.dialogs.help),
             (self.live.pin, self.pin),
         ):  # fmt: skip
-            button.on_click(lambda _, action=action: action())
+            button.on_click(_pressing(action))
         self.browser.on_key = self._pressed
         self.header.preset.label = self.controls.preset
+
+
+def _pressing(action: Callable[[], None]) -> Callable[[Any], None]:
+    return lambda _: action()

@@ -42,7 +42,8 @@ def makers(
 class Tab(Protocol):
     """A view on a run."""
 
-    root: Viewable
+    @property
+    def root(self) -> Viewable: ...
 
     def show(self, run: Run | None, size: Size = DESK) -> None:
         """Draw a run as far as it has come; None before the first."""

@@ -14,6 +14,7 @@ import panel_material_ui as pmui
 from tyrecontact import Scenario, Simulation
 
 from ..latest import Latest
+from ..limits import limits
 from ..runner import Run
 from . import input_sheet
 from .input_kernel import KernelInput
@@ -60,6 +61,7 @@ class _Subject:
     def prepare(self, name: str, wanted: Callable[[], bool]) -> Sheet | None:
         """Make a sheet, on a thread; None where it is not wanted any more."""
         simulation = self.simulation or Simulation(self.scenario)
+        limits().check(simulation)
         for need in PARTS[name].needs:
             if not wanted():
                 return None

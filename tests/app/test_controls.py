@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -147,3 +149,60 @@ def test_layers_are_written_as_tables(controls: Controls, refusals: list[str]) -
     area.value = "no tables"
     assert len(refusals) == 1
     assert '"thickness": 0.002' in area.value
+
+
+def test_layers_read_no_file_of_the_server(
+    controls: Controls, refusals: list[str], tmp_path: Path
+) -> None:
+    secret = tmp_path / "secret.txt"
+    secret.write_text("root:x:0:0\n", encoding="utf-8")
+    layer = {
+        "thickness": 0.01, "density": 1200.0, "poissons_ratio": 0.49, "material": "tabulated"
+    }  # fmt: skip
+    tables = [{**layer, "modulus_table": str(secret)}]
+    controls.field("tread.layers").root.value = json.dumps(tables)
+    controls.change_all({"tread.layers": tables})
+    assert controls.value("tread.layers") == []
+    assert len(refusals) == 2
+    assert "no file can be named" in refusals[0]
+    controls.change("tread.layers", [{**layer, "modulus_table": ""}])
+    assert len(refusals) == 2
+
+
+def test_a_road_that_was_undone_does_not_come_back_with_a_preset(controls: Controls) -> None:
+    controls.take_road({"road.pitch": 1e-5, "road.file": "/somewhere/road.npy"})
+    controls.undo()
+    controls.load("adhesion")
+    assert controls.value("road.file") == ""
+    controls.undo()
+    controls.redo()
+    controls.take_road({"road.pitch": 1e-5, "road.file": "/somewhere/road.npy"})
+    controls.reset()
+    controls.undo()
+    controls.load("default")
+    assert controls.value("road.file") == "/somewhere/road.npy"
+
+
+def test_back_to_the_made_road_is_back_to_that_of_the_preset(controls: Controls) -> None:
+    controls.load("adhesion")
+    controls._plain.set("road.size", 0.03)
+    controls.take_road({"road.size": 0.01, "road.file": "/somewhere/road.npy"})
+    controls.take_road({"road.size": 0.02, "road.file": ""})
+    assert controls.value("road.size") == 0.03
+
+
+def test_undo_finds_the_file_before_and_its_name(controls: Controls) -> None:
+    file = controls.text_files["loading.table"]
+    file.root.param.update(filename="a.txt", value=b"0 0\n1 1e-4\n")
+    first = controls.value("loading.table")
+    controls.change("loading.rate", 0.2)
+    file.root.param.update(filename="b.txt", value=b"0 0\n1 2e-4\n")
+    assert controls.file_names == {"loading.table": "b.txt"}
+    controls.undo()
+    assert controls.value("loading.table") == first
+    assert Path(first).exists()
+    assert controls.file_names == {"loading.table": "a.txt"}
+    controls.reset()
+    assert controls.file_names == {}
+    controls.close()
+    assert not Path(first).exists()

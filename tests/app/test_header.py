@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.header import Header
-from app.runner import Run
+from app.runner import Phase, Run
 from tyrecontact import Scenario
 
 
@@ -41,3 +41,11 @@ def test_a_phones_buttons_do_what_the_headers_do() -> None:
     share.param.trigger("clicks")
     presets.param.trigger("clicks")
     assert pressed == ["share", "preset"]
+
+
+def test_a_run_that_is_only_compared_cannot_be_paused(finished: Run) -> None:
+    header = Header()
+    finished.phase = Phase.COMPARING
+    header.update(finished)
+    assert header.pause.disabled
+    assert not header.stop.disabled

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from app.plain_words import describe, duration, three_digits
-from app.runner import Run
+from app.runner import Phase, Run
+from tyrecontact import Scenario
 
 
 def test_what_is_coming_is_said_before_it_comes(finished: Run) -> None:
@@ -37,6 +38,23 @@ def test_a_step_that_fails_without_an_instability_gets_other_advice(finished: Ru
     sentence, _ = describe(finished)
     assert "unstable" not in sentence
     assert "more iterations" in sentence
+
+
+def test_why_a_run_had_to_end_early_is_said(finished: Run) -> None:
+    finished.phase = Phase.STOPPED
+    finished.message = "stopped after 60 s, the longest that this server computes"
+    assert "the longest that this server computes" in describe(finished)[0]
+
+
+def test_that_there_is_nothing_to_compare_with_is_said(finished: Run) -> None:
+    finished.message = "no quasi-static run to compare with: no balance"
+    assert "No quasi-static run to compare with" in describe(finished)[0]
+
+
+def test_a_run_out_of_time_before_its_first_step_says_so(small: Scenario) -> None:
+    run = Run(small)
+    run.phase, run.message = Phase.STOPPED, "stopped after 60 s, the longest"
+    assert "Stopped after 60 s" in describe(run)[0]
 
 
 @pytest.mark.parametrize(

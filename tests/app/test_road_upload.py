@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from app import road_upload
+from app.limits import Limits
 from app.road_upload import Upload
 
 
@@ -43,19 +44,19 @@ def test_pieces_become_the_file_and_nothing_stays_in_memory(receiver: Receiver) 
 
 
 def test_one_that_is_too_large_is_refused_at_its_first_piece(receiver: Receiver) -> None:
-    pieces = road_upload.MAX_BYTES // road_upload._PIECE + 2
+    pieces = 200_000_000 // road_upload._PIECE + 2
     for number in (1, 2):
         receiver.upload.receive("huge.npy", b"x", number, pieces)
     receiver.upload.finish()
     assert len(receiver.refused) == 1
-    assert "must have at most 128 MB" in receiver.refused[0]
+    assert "must have at most 200 MB" in receiver.refused[0]
     assert not list(receiver.folder.iterdir())
 
 
 def test_one_that_says_too_little_is_stopped_by_what_comes(
     receiver: Receiver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(road_upload, "MAX_BYTES", 1000)
+    monkeypatch.setattr(road_upload, "limits", lambda: Limits(upload=1e-3))
     receiver.upload.receive("sly.npy", bytes(1001), 1, 1)
     assert "must have at most" in receiver.refused[0]
     assert not list(receiver.folder.iterdir())
@@ -81,3 +82,13 @@ def test_a_file_that_the_browser_cannot_read_is_said(receiver: Receiver) -> None
     receiver.upload._handle_msg({"status": "error", "error": "it was moved"})
     assert "could not send it: it was moved" in receiver.refused[0]
     assert not list(receiver.folder.iterdir())
+
+
+def test_what_makes_no_sense_is_passed_over(receiver: Receiver) -> None:
+    piece = {"status": "upload_event", "name": "a.npy", "chunk": 1, "total_chunks": 1}
+    for nonsense in (None, [], {}, {"status": 1}, piece, {**piece, "data": 10**12}):
+        receiver.upload._handle_msg(nonsense)
+    assert not list(receiver.folder.iterdir())
+    receiver.upload._handle_msg({**piece, "data": b"one"})
+    receiver.upload.finish()
+    assert receiver.done[0][0].read_bytes() == b"one"

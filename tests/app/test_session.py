@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import time
+from types import SimpleNamespace
 
 import numpy as np
+import panel as pn
 import pytest
 
+from app import links
+from app.limits import Limits
 from app.phase import Phase
 from app.session import Session
-from app.views import trace
-from tyrecontact import Scenario
+from app.views import inputs, trace
+from tyrecontact import Scenario, presets
 
 
 @pytest.fixture
@@ -228,3 +232,34 @@ def test_presentation_mode_enlarges_the_type_and_goes_back(session: Session) -> 
     session.browser.on_key("p")
     assert session.live.force.root.title.text_font_size == "14px"
     assert told == [True, False]
+
+
+def test_a_tab_that_tells_of_the_form_follows_it(session: Session) -> None:
+    session.tabs.open("Code")
+    session.controls.change("loading.rate", 0.123)
+    assert "0.123" in session.tabs.made("Code")._view.texts["Python"]
+
+
+def test_a_link_is_seen_on_the_axis_that_suits_its_loading(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    search = "?v=1&p=default&" + links.query("default", _returning()).split("&", 2)[2]
+    monkeypatch.setattr(type(pn.state), "location", SimpleNamespace(search=search))
+    assert Session().live.axis.value == "time"
+
+
+def _returning() -> Scenario:
+    scenario = presets.get("default")
+    scenario.set("loading.profile", "load-hold-unload")
+    return scenario
+
+
+def test_inputs_are_not_prepared_beyond_the_limits(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(inputs, "limits", lambda: Limits(elements=2))
+    session.tabs.open("Inputs")
+    view = session.tabs.made("Inputs")._view
+    view.worker.join(20)
+    view.arrive()
+    assert "must be at most 2 on this server" in view.text.object

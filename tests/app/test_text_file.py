@@ -30,19 +30,47 @@ def test_a_file_is_kept_under_a_name_of_the_servers_and_removed_at_the_end(
     file = TextFile("Loading table", taken.append, refused.append)
     _bring(file, b"0 0\n1 1e-4\n", "../../my table.csv")
     assert Path(taken[0]).read_bytes() == b"0 0\n1 1e-4\n"
-    assert Path(taken[0]).name == "table.txt"
+    assert Path(taken[0]).name == "table-1.txt"
+    file.show(taken[0])
     assert file.name == "../../my table.csv"
     file.close()
     assert not Path(taken[0]).exists()
     assert file.name == ""
 
 
-def test_another_file_takes_the_place_of_the_first(taken: list[str], refused: list[str]) -> None:
+def test_a_few_files_are_kept_for_undo(taken: list[str], refused: list[str]) -> None:
     file = TextFile("Loading table", taken.append, refused.append)
-    _bring(file, b"first", "a.txt")
-    _bring(file, b"second", "b.txt")
-    assert not Path(taken[0]).exists()
-    assert Path(taken[1]).read_bytes() == b"second"
+    for number in range(text_file.KEPT + 1):
+        _bring(file, f"table {number}".encode(), f"{number}.txt")
+    assert [Path(path).exists() for path in taken] == [False] + text_file.KEPT * [True]
+    file.show(taken[2])
+    assert file.name == "2.txt"
+    assert file.root.filename == "2.txt"
+    file.show("")
+    assert file.root.filename is None
+    file.close()
+    assert not any(Path(path).exists() for path in taken)
+
+
+def test_what_is_too_large_is_not_even_kept_in_memory(
+    taken: list[str], refused: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(text_file, "MAX_BYTES", 10)
+    file = TextFile("Loading table", taken.append, refused.append)
+    control = file.root
+    piece = {"status": "upload_event", "name": "a.txt", "total_chunks": 3, "mime_type": "text/csv"}
+    control._handle_msg({"status": "initializing"})
+    for number in (1, 2, 3):
+        control._handle_msg({**piece, "chunk": number, "data": bytes(6)})
+        assert sum(map(len, control._file_buffer.get("a.txt", {}).get("chunks", {}).values())) < 11
+    control._handle_msg({"status": "finished"})
+    assert (taken, len(refused)) == ([], 1)
+    for nonsense in (None, [], {}, {"status": "x"}, {**piece, "chunk": 1, "data": 10**12}):
+        control._handle_msg(nonsense)
+    for number in (1, 2, 3):
+        control._handle_msg({**piece, "chunk": number, "data": b"ab"})
+    control._handle_msg({"status": "finished"})
+    assert Path(taken[0]).read_bytes() == b"ababab"
     file.close()
 
 

@@ -46,12 +46,12 @@ def _full(visitors: int) -> pn.Column:
 
 def lay_out(session: Session) -> pmui.Page:
     """A session's parts on a page."""
-    before = _busy_watchers()
+    before, phone = _busy_watchers(), _on_a_phone()
     page = pmui.Page(
         title="",  # a phone has no room for it: the header brings its own
         meta_title="tyrecontact",
         header=session.header.root,
-        sidebar=session.whatif.root,
+        sidebar=_sidebar(session, phone),
         main=[
             pn.Column(
                 session.headline.root, session.teaching.card.root, session.tabs.root,
@@ -61,7 +61,7 @@ def lay_out(session: Session) -> pmui.Page:
                 styles={"max-height": "none"},
             )
         ],
-        sidebar_open=not _on_a_phone(),
+        sidebar_open=not phone,
         theme_config=_THEME,
         busy_indicator=None,
         sidebar_resizable=False,  # its handle has no name for who cannot see it
@@ -81,11 +81,15 @@ def _present(page: pmui.Page, large: bool) -> None:
 
 
 def _make_room(page: pmui.Page, session: Session, width: int) -> None:
-    """On a phone: the plots first, and in the sidebar what the header has no room for."""
-    if width < _PHONE:
-        page.param.update(
-            sidebar_open=False, sidebar=[session.header.for_phones(), *session.whatif.root]
-        )
+    """In a narrow window the plots first, as on a phone that said so when it asked."""
+    if width < _PHONE and not _on_a_phone():
+        page.param.update(sidebar_open=False, sidebar=_sidebar(session, phone=True))
+
+
+def _sidebar(session: Session, phone: bool) -> list[Any]:
+    """The settings; on a phone after what its header has no room for."""
+    extra = [session.header.for_phones()] if phone else []
+    return [*extra, *session.whatif.root]
 
 
 def _busy_watchers() -> list[Any]:

@@ -154,6 +154,9 @@ def test_a_phone_gets_the_plots_first_and_no_sideways_scrolling(
     assert len(shown) >= 3
     for (top, height), (below, _) in itertools.pairwise(shown):
         assert top + height <= below + 1  # no plot lies over another
+    tab.get_by_role("button").first.click()
+    for name in ("Presets", "Share", "Help"):  # the header has no room for them
+        expect(tab.get_by_role("button", name=name, exact=True)).to_be_visible()
     context.close()
 
 

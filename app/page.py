@@ -10,10 +10,14 @@ import panel_material_ui as pmui
 from .limits import sessions
 from .session import Session
 
-_BAR = {"MuiAppBar": {"styleOverrides": {"root": {"backgroundColor": "#0B3F5E", "color": "#fff"}}}}
+_PARTS = {
+    "MuiAppBar": {"styleOverrides": {"root": {"backgroundColor": "#0B3F5E", "color": "#fff"}}},
+    # Panel does not send that `busy_indicator` is None: a bar without a name would stay in the page
+    "MuiLinearProgress": {"styleOverrides": {"root": {"display": "none"}}},
+}
 _THEME = {
-    "light": {"palette": {"primary": {"main": "#0B5C8A"}}, "components": _BAR},
-    "dark": {"palette": {"primary": {"main": "#6CB8E6"}}, "components": _BAR},
+    "light": {"palette": {"primary": {"main": "#0B5C8A"}}, "components": _PARTS},
+    "dark": {"palette": {"primary": {"main": "#6CB8E6"}}, "components": _PARTS},
 }
 #: below this width [px] the sidebar would cover the page
 _PHONE = 600

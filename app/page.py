@@ -11,10 +11,14 @@ import panel_material_ui as pmui
 from .limits import sessions
 from .session import Session
 
-_BAR = {"MuiAppBar": {"styleOverrides": {"root": {"backgroundColor": "#0B3F5E", "color": "#fff"}}}}
+_PARTS = {
+    "MuiAppBar": {"styleOverrides": {"root": {"backgroundColor": "#0B3F5E", "color": "#fff"}}},
+    # Panel does not send that `busy_indicator` is None: a bar without a name would stay in the page
+    "MuiLinearProgress": {"styleOverrides": {"root": {"display": "none"}}},
+}
 _THEME = {
-    "light": {"palette": {"primary": {"main": "#0B5C8A"}}, "components": _BAR},
-    "dark": {"palette": {"primary": {"main": "#6CB8E6"}}, "components": _BAR},
+    "light": {"palette": {"primary": {"main": "#0B5C8A"}}, "components": _PARTS},
+    "dark": {"palette": {"primary": {"main": "#6CB8E6"}}, "components": _PARTS},
 }
 #: below this width [px] the sidebar would cover the page
 _PHONE = 600
@@ -67,7 +71,9 @@ def lay_out(session: Session) -> pmui.Page:
         sidebar_resizable=False,  # its handle has no name for who cannot see it
     )  # fmt: skip
     page.param.watch(lambda event: session.live.darken(event.new), "dark_theme")
-    session.browser.on_width = lambda width: _make_room(page, session, width)
+    session.browser.on_width = lambda width: pn.state.onload(
+        partial(_make_room, page, session, width)
+    )
     session.on_present = partial(_present, page)
     # the page would follow the server's being busy, at a redraw each, and never be freed
     for watcher in _busy_watchers():

@@ -228,7 +228,7 @@ class Session:
     def _pressed(self, key: str) -> None:
         action = keyboard.actions(self).get(key)
         if action is not None:
-            action()
+            pn.state.onload(action)
 
     def _wire(self) -> None:
         for button, action in (
@@ -244,4 +244,5 @@ class Session:
 
 
 def _pressing(action: Callable[[], None]) -> Callable[[Any], None]:
-    return lambda _: action()
+    # what a press changes while the page is still being loaded may never reach the browser
+    return lambda _: pn.state.onload(action)

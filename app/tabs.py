@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, Protocol
 
 import panel as pn
@@ -78,7 +79,10 @@ class Tabs:
         self._choice = pmui.Tabs(
             *zip(self.titles, empty, strict=True), sizing_mode="stretch_width", margin=0
         )
-        self._choice.param.watch(lambda event: self._opened(event.new), "active")
+        # what changes while the page is still being loaded may never reach the browser
+        self._choice.param.watch(
+            lambda event: pn.state.onload(partial(self._opened, event.new)), "active"
+        )
         self.root = pn.Column(
             self._choice, live, *self._places, sizing_mode="stretch_width", margin=0
         )

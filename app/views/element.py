@@ -7,6 +7,7 @@ from html import escape
 
 import numpy as np
 import panel as pn
+import panel_material_ui as pmui
 
 from tyrecontact.contact.adhesion import Hysteresis, constant_limit
 from tyrecontact.contact.bonds import ElementState
@@ -17,7 +18,7 @@ from tyrecontact.simulation import Simulation
 from ..runner import Run
 from .element_chooser import ElementChooser
 from .element_plots import ForcePlots, HeightsPlot, enlarge
-from .element_words import INVITATION, say
+from .element_words import INVITATION, OFFER, say
 from .map_modes import Fields
 from .style import DESK, Horizontal, Size
 from .trace import extremes
@@ -40,6 +41,7 @@ class ElementView:
     ----------
     root : a column; cheap until an element is followed or `open` is called.
     element : row and column followed, or None.  sentence : on it.
+    offer : button that calls `open`, and gives way to what it opens.
     on_follow : is called with row and column when an element comes to be followed.
     """
 
@@ -54,14 +56,16 @@ class ElementView:
         self._size, self._dark = DESK, False
         self._drawn: int | None = None
         self._words = pn.pane.HTML("", stylesheets=[_STYLE], sizing_mode="stretch_width")
-        self.root = pn.Column(self._words, sizing_mode="stretch_width", margin=(4, 8))
+        self.offer = pmui.Button(label=OFFER, size="small", variant="outlined", margin=(2, 5))
+        self.offer.on_click(lambda _: self.open())
+        self.root = pn.Column(self._words, self.offer, sizing_mode="stretch_width", margin=(4, 8))
         self._begin(None)
 
     def open(self) -> None:
         """Offer the choice by keyboard."""
         if self.chooser is None:
             self.chooser = ElementChooser(self.follow, self._pick)
-            self.root.insert(0, self.chooser.root)
+            self.root[:2] = [self.chooser.root, self._words]
             if self._run is not None:
                 self.chooser.bound(self._run.scenario.road.elements)
 

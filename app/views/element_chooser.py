@@ -4,9 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from pathlib import Path
+from typing import Any, ClassVar
 
 import panel_material_ui as pmui
+import param
+from panel.custom import JSComponent
+
+_STYLE = """
+label { display: flex; align-items: center; gap: 6px; font-size: 14px; }
+input { width: 64px; height: 30px; box-sizing: border-box; padding: 0 6px; font: inherit;
+  color: inherit; background: none; border-radius: 6px;
+  border: 1px solid color-mix(in srgb, currentColor 50%, transparent); }
+:focus-visible { outline: 2px solid #3A8FC2; outline-offset: 2px; }
+"""
+
+
+class WholeNumber(JSComponent):
+    """A number from zero on; the library's has buttons without names, and hears Enter once."""
+
+    label = param.String(default="")
+    value = param.Integer(default=0)
+    end = param.Integer(default=0, doc="The largest that can be chosen")
+
+    _esm = Path(__file__).with_suffix(".js")
+    _stylesheets: ClassVar[list[str]] = [_STYLE]
 
 
 class ElementChooser:
@@ -15,8 +37,7 @@ class ElementChooser:
     def __init__(self, chosen: Callable[[int, int], None], wanted: Callable[[str], None]) -> None:
         self._chosen, self._silent = chosen, False
         self.row, self.column = (
-            pmui.IntInput(label=label, value=0, start=0, width=96, size="small", margin=(6, 4))
-            for label in ("Row", "Column")
+            WholeNumber(label=label, margin=(10, 8)) for label in ("Row", "Column")
         )
         self.buttons = [
             pmui.Button(label=label, variant="outlined", size="small", margin=(10, 4))
@@ -45,5 +66,5 @@ class ElementChooser:
 
     def _changed(self, _event: Any) -> None:
         row, column = self.row.value, self.column.value
-        if not self._silent and row is not None and column is not None:
+        if not self._silent and 0 <= row <= self.row.end and 0 <= column <= self.column.end:
             self._chosen(row, column)

@@ -11,6 +11,7 @@ from tyrecontact.contact.bonds import ElementState
 from .headline import three_digits
 
 INVITATION = "Tap an element of the map to follow it."
+OFFER = "Choose it by row and column"
 
 
 def say(row: int, column: int, fields: Mapping[str, np.ndarray], element_area: float) -> str:

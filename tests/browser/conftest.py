@@ -14,11 +14,35 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Locator, Page, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect, sync_playwright
 
 from tests.browser.chromium import ARGUMENTS, NAMES
 
+expect.set_options(timeout=30_000)  # a machine may be busy
 _ROOT = Path(__file__).parents[2]
+#: tab -> words in it, or none where plots are all that it shows
+TABS = {
+    "Stiffness": "", "Release": "", "Energy": "The drive has put in", "Inputs": "",
+    "Compare": "", "Lessons": "Why the thesis", "Theory": "rrata",
+    "Code": "import tyrecontact as tc",
+}  # fmt: skip
+#: whether a plot is to be seen, through all shadow roots
+_PLOTS = """() => {
+  const seen = (root) => [...root.querySelectorAll("*")].some((one) =>
+    (one.matches(".bk-Figure") && one.offsetHeight > 0) || (one.shadowRoot && seen(one.shadowRoot)))
+  return seen(document)
+}"""
+_BACKGROUND = "getComputedStyle(document.body).backgroundColor"
+_FOCUSED = """() => {
+  let node = document.activeElement
+  while (node?.shadowRoot?.activeElement) node = node.shadowRoot.activeElement
+  if (!node) return ""
+  const name = node.getAttribute("aria-label") || node.labels?.[0]?.textContent
+  if (name) return name.trim()
+  const copy = node.cloneNode(true)  // without its icons
+  copy.querySelectorAll("[aria-hidden=true]").forEach((icon) => icon.remove())
+  return copy.textContent.trim()
+}"""
 
 
 @pytest.fixture(scope="session")
@@ -99,7 +123,32 @@ class Visit:
         self.tab.locator("header").get_by_role("button", name=name, exact=True).wait_for()
 
     def open(self, tab: str) -> None:
-        self.tab.get_by_role("tab", name=tab, exact=True).click()
+        """Open a tab, and wait for what it shows."""
+        chosen = self.tab.get_by_role("tab", name=tab, exact=True)
+        chosen.click()
+        expect(chosen).to_have_attribute("aria-selected", "true")
+        if words := TABS[tab]:
+            self.tab.locator("main").get_by_text(words).first.wait_for()
+        else:
+            self.tab.wait_for_function(_PLOTS)
+
+    def focused(self) -> str:
+        """Name of what has the focus, through all shadow roots."""
+        return self.tab.evaluate(_FOCUSED)
+
+    def leave_focus(self) -> None:
+        """Nothing has the focus, as when the page was just opened."""
+        self.tab.evaluate("document.activeElement.blur()")
+
+    def tab_to(self, name: str, key: str = "Tab", part: bool = False) -> None:
+        """Go on by keyboard until what has that name has the focus."""
+        passed = []
+        for _ in range(90):
+            self.tab.keyboard.press(key)
+            passed.append(self.focused())
+            if passed[-1] == name or (part and passed[-1].startswith(name)):
+                return
+        pytest.fail(f"{name!r} is not reached: {passed}")
 
     def set(self, label: str, value: str) -> None:
         """Write a number into the entry of a setting, or choose."""
@@ -110,12 +159,26 @@ class Visit:
             field.fill(value)
             field.press("Enter")
 
+    def darken(self) -> None:
+        """Choose the dark theme, and wait until it is there."""
+        before = self.tab.evaluate(_BACKGROUND)
+        self.tab.get_by_role("button", name="Toggle theme").click()
+        self.tab.wait_for_function(f"was => {_BACKGROUND} !== was", arg=before)
+
     def choose_pace(self, name: str) -> None:
         self.tab.get_by_role("combobox", name="Pace of a run").click()
-        self.tab.get_by_role("menuitem", name=name, exact=True).click()
+        item = self.tab.get_by_role("menuitem", name=name, exact=True)
+        item.click()
+        item.wait_for(state="hidden")  # then the focus is back
 
     def sentence(self) -> str:
         return self.tab.get_by_role("status").inner_text()
+
+    def steps_said(self) -> int:
+        """Number of the step in the sentence on the state."""
+        found = re.search(r"step (\d+)", self.sentence(), re.IGNORECASE)
+        assert found, self.sentence()
+        return int(found[1])
 
     def column(self, source: str, name: str) -> list:
         """A column of a Bokeh source as the browser holds it."""
@@ -134,17 +197,26 @@ class Visit:
         script = "n => Bokeh.documents[0].get_model_by_name('force').data.force.length >= n"
         self.tab.wait_for_function(script, arg=count, timeout=seconds * 1000)
 
-    def wait_for_sentence(self, start: str, seconds: float = 60) -> None:
-        self.tab.get_by_role("status").filter(has_text=start).wait_for(timeout=seconds * 1000)
+    def wait_for_sentence(self, part: str, seconds: float = 60) -> None:
+        """Until the sentence on the state holds these words; a failure tells what it said."""
+        expect(self.tab.get_by_role("status")).to_contain_text(part, timeout=seconds * 1000)
+
+
+@pytest.fixture(scope="session")
+def desktop(browser: Browser) -> Iterator[BrowserContext]:
+    """A browser on a desktop screen that loads the page's scripts once."""
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    yield context
+    context.close()
 
 
 @pytest.fixture
-def visit(browser: Browser, address: str) -> Iterator[Visit]:
+def visit(desktop: BrowserContext, address: str) -> Iterator[Visit]:
     """A visit on a desktop screen; whatever it complains about fails the test."""
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
-    made = Visit(context, address)
+    made = Visit(desktop, address)
     yield made
-    context.close()
+    made.tab.evaluate("localStorage.clear()")
+    made.tab.close()
     own = address.rpartition("/")[0]
     foreign = [url for url in made.requests if not url.startswith((own, "data:", "blob:"))]
     assert foreign == []

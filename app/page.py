@@ -13,6 +13,8 @@ from .session import Session
 
 _PARTS = {
     "MuiAppBar": {"styleOverrides": {"root": {"backgroundColor": "#0B3F5E", "color": "#fff"}}},
+    # the tip of a button stands over its neighbour, which is to be pressed all the same
+    "MuiTooltip": {"styleOverrides": {"popper": {"pointerEvents": "none !important"}}},
     # Panel does not send that `busy_indicator` is None: a bar without a name would stay in the page
     "MuiLinearProgress": {"styleOverrides": {"root": {"display": "none"}}},
 }

@@ -23,7 +23,7 @@ _ROOT = Path(__file__).parents[2]
 #: tab -> words in it, or none where plots are all that it shows
 TABS = {
     "Stiffness": "", "Release": "", "Energy": "The drive has put in", "Inputs": "",
-    "Compare": "", "Lessons": "Why the thesis", "Theory": "rrata",
+    "Compare": "Pin a run to compare", "Lessons": "Why the thesis", "Theory": "rrata",
     "Code": "import tyrecontact as tc",
 }  # fmt: skip
 #: whether a plot is to be seen, through all shadow roots

@@ -21,9 +21,9 @@ from tests.browser.chromium import ARGUMENTS, NAMES
 expect.set_options(timeout=30_000)  # a machine may be busy
 _ROOT = Path(__file__).parents[2]
 #: tab -> words in it, or none where plots are all that it shows
-TABS = {
+TABS: dict[str, str | re.Pattern[str]] = {
     "Stiffness": "", "Release": "", "Energy": "The drive has put in", "Inputs": "",
-    "Compare": "Pin a run to compare", "Lessons": "Why the thesis", "Theory": "rrata",
+    "Compare": re.compile("Pin (a|this) run"), "Lessons": "Why the thesis", "Theory": "rrata",
     "Code": "import tyrecontact as tc",
 }  # fmt: skip
 #: whether a plot is to be seen, through all shadow roots

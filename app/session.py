@@ -119,8 +119,8 @@ class Session:
         self.choose_axis()
 
     def close(self) -> None:
-        """The visitor has left."""
-        self._stop_clock()
+        """The visitor has left, and the document with all its callbacks is gone already."""
+        self._clock = self._document = None
         self.stop()
         self.run = None
         self.tabs.close()

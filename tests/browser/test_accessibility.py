@@ -18,10 +18,21 @@ _GROUPS = ("Loading", "Adhesion", "Road and springs", "Tread", "Numerics")
 
 
 def _findings(visit: Visit, *without: str) -> list[str]:
-    """Grave findings, rule and place, but for parts of the frame that were looked at before."""
-    # what fades in is half transparent, and so of little contrast
-    still = "() => document.getAnimations().every((one) => one.playState !== 'running')"
-    visit.tab.wait_for_function(still)
+    """Grave findings, rule and place, but for parts of the frame that were looked at before.
+
+    What fades in, or from one theme to the other, is of little contrast for a moment: only what
+    is found again and again counts.
+    """
+    found: list[str] = []
+    for _ in range(4):
+        found = _scan(visit, *without)
+        if not found:
+            break
+        visit.tab.wait_for_timeout(700)
+    return found
+
+
+def _scan(visit: Visit, *without: str) -> list[str]:
     frame = ".bk-panel-models-esm-ReactComponent"
     context = {"exclude": [{"fromShadowDom": [frame, part]} for part in without]}
     found = Axe().run(visit.tab, context=context if without else None).response["violations"]

@@ -7,6 +7,8 @@ from typing import Any
 
 import panel as pn
 import panel_material_ui as pmui
+from panel.io.document import with_lock
+from panel.reactive import Syncable
 
 from .limits import sessions
 from .session import Session
@@ -22,6 +24,9 @@ _THEME = {
     "light": {"palette": {"primary": {"main": "#0B5C8A"}}, "components": _PARTS},
     "dark": {"palette": {"primary": {"main": "#6CB8E6"}}, "components": _PARTS},
 }
+# Panel takes a press, and with it any change of the last 50 ms, without the document's lock, which
+# every change of a plot needs
+Syncable._event_coroutine = with_lock(Syncable._event_coroutine)
 #: below this width [px] the sidebar would cover the page
 _PHONE = 600
 

@@ -7,12 +7,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from bokeh.document import Document
+from bokeh.events import Event
 from panel.custom import JSComponent
+from panel.io.state import set_curdoc
 
 #: frames that may be under way to the screen, so that neither side waits for the other
-_AHEAD = 4
+_AHEAD = 5
 #: of so many frames the browser tells of one: each answer takes the solver's time
-_ANSWERED = 2
+_ANSWERED = 3
 #: seconds after which a browser that says nothing (a hidden tab) is sent a frame all the same
 _PATIENCE = 1.0
 
@@ -60,6 +63,11 @@ class Browser(JSComponent):
     def set_style(self, **values: str) -> None:
         """Set variables of the page's style: `scale` of its type, height `taken` from plots."""
         self._send_msg({"style": {f"--{name}": value for name, value in values.items()}})
+
+    def _process_bokeh_event(self, doc: Document, event: Event) -> None:
+        # without Panel's count of what the page is busy with, which costs more than the answer
+        with set_curdoc(doc):
+            self._process_event(event)
 
     def _handle_msg(self, data: Any) -> None:
         """What the browser says; anyone can make it say anything."""

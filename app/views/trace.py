@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from bokeh.models import ColumnDataSource
 
-#: points of a curve at most: several for each pixel of a plot's width
-POINTS = 4000
+#: points of a curve at most: two for each pixel of a plot's width
+POINTS = 2000
 
 
 def extremes(values: np.ndarray, stretch: int) -> np.ndarray:

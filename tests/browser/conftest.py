@@ -26,12 +26,16 @@ TABS: dict[str, str | re.Pattern[str]] = {
     "Compare": re.compile("Pin (a|this) run"), "Lessons": "Why the thesis", "Theory": "rrata",
     "Code": "import tyrecontact as tc",
 }  # fmt: skip
+#: what Panel and Bokeh write when something of the page has failed behind the visitor's back
+_FAILURES = re.compile(r"Error (running|thrown|handling)|Callback failed|RuntimeError|app/\w+\.py")
 #: whether a plot is to be seen, through all shadow roots
 _PLOTS = """() => {
   const seen = (root) => [...root.querySelectorAll("*")].some((one) =>
     (one.matches(".bk-Figure") && one.offsetHeight > 0) || (one.shadowRoot && seen(one.shadowRoot)))
   return seen(document)
 }"""
+#: where the state of the run is told
+_SENTENCE = ".sentence[role=status]"
 _BACKGROUND = "getComputedStyle(document.body).backgroundColor"
 _FOCUSED = """() => {
   let node = document.activeElement
@@ -77,7 +81,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
             server.terminate()
             server.wait(20)
     text = log.read_text()
-    assert "Error running application" not in text, text
+    assert _FAILURES.search(text) is None, text
 
 
 def _wait_until_alive(url: str, server: subprocess.Popen[bytes], log: Path) -> None:
@@ -169,10 +173,11 @@ class Visit:
         self.tab.get_by_role("combobox", name="Pace of a run").click()
         item = self.tab.get_by_role("menuitem", name=name, exact=True)
         item.click()
-        item.wait_for(state="hidden")  # then the focus is back
+        item.wait_for(state="hidden")
+        self.tab.wait_for_function(f"name => ({_FOCUSED})() === name", arg=name)  # it is back
 
     def sentence(self) -> str:
-        return self.tab.get_by_role("status").inner_text()
+        return self.tab.locator(_SENTENCE).inner_text()
 
     def steps_said(self) -> int:
         """Number of the step in the sentence on the state."""
@@ -199,7 +204,7 @@ class Visit:
 
     def wait_for_sentence(self, part: str, seconds: float = 60) -> None:
         """Until the sentence on the state holds these words; a failure tells what it said."""
-        expect(self.tab.get_by_role("status")).to_contain_text(part, timeout=seconds * 1000)
+        expect(self.tab.locator(_SENTENCE)).to_contain_text(part, timeout=seconds * 1000)
 
 
 @pytest.fixture(scope="session")

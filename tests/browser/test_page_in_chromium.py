@@ -45,7 +45,9 @@ def test_a_second_run_with_another_release_criterion_obeys_it(visit: Visit) -> N
     visit.press("Run")
     visit.wait_for_sentence("Complete", 90)
     visit.set("Release criterion [N]", "0.2")
+    visit.choose_pace("in about 6 s")  # so that the first run's end is not taken for the second's
     visit.press("Run")
+    visit.wait_for_sentence("Step ")
     visit.wait_for_sentence("Complete", 90)
     # the largest tension that any bond has borne: the replay shows every step
     visit.tab.get_by_label("Step on show").evaluate(

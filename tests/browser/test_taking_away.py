@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import socket
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
@@ -16,6 +15,7 @@ from app.runner import Run
 from app.views.code import CodeView
 from app.views.downloads import Downloads
 from app.views.force import ForceView
+from tests.browser.serving import served
 from tyrecontact import Scenario
 
 _SMALL = Scenario(
@@ -40,14 +40,8 @@ def address() -> Iterator[str]:
         plot = pn.pane.Bokeh(force.root, sizing_mode="stretch_width")
         return pmui.Page(main=[plot, files.root, code.root], dark_theme=True)
 
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    thread = pn.serve({"app": build}, port=port, threaded=True, show=False, verbose=False)
-    yield f"http://localhost:{port}/app"
-    thread.stop()
-    thread.join(10)
-    pn.state.reset()
+    with served(build) as address:
+        yield address
 
 
 @pytest.fixture

@@ -198,6 +198,7 @@ def test_a_damaged_file_is_refused_whatever_the_damage(tmp_path: Path, name: str
 
 def test_an_archive_named_npy_is_refused_and_closed(tmp_path: Path) -> None:
     path = stored(tmp_path / "a.npy", in_memory(np.savez, HEIGHTS))
+    gc.collect()  # what other tests have left open is not meant
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         assert refusal(path).startswith("road file must hold a ")

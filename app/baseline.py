@@ -7,6 +7,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
+from hashlib import sha256
 
 import numpy as np
 
@@ -16,6 +17,8 @@ from tyrecontact.results import Record
 #: steps of the quasi-static run
 STEPS = 160
 _KEPT = 16
+#: what the band-limited kernel of the tread at rest depends on
+_OF_STATICS = ("lags", "sampling_frequency", "time_resolution_factor", "refinement")
 
 
 @dataclass(frozen=True)
@@ -73,10 +76,14 @@ def made(simulation: Simulation, stopped: Callable[[], bool]) -> Baseline | None
 
 def _key(simulation: Simulation) -> str:
     """All that a baseline depends on."""
-    parts = simulation.scenario.to_dict()
-    del parts["numerics"]
+    parts, schedule = simulation.scenario.to_dict(), simulation.schedule
+    numerics = parts.pop("numerics")
+    # the tread's own statics know no time step
+    own = numerics["statics"] == "exact"
+    at_rest = [] if own else [numerics[name] for name in _OF_STATICS]
+    steps = sha256(schedule.time.tobytes() + schedule.drive.tobytes()).hexdigest()
     # a file may change under its name
-    return json.dumps([parts, simulation.time_step, simulation.stamps])
+    return json.dumps([parts, at_rest, steps, simulation.stamps])
 
 
 def _run_at_rest(simulation: Simulation, stopped: Callable[[], bool]) -> Baseline | None:

@@ -31,6 +31,8 @@ _SPANS = {
 }
 #: settings for which a slider means little
 _TYPED = {"road.seed", "road.pixel", "numerics.tolerance", "numerics.sampling_frequency"}
+#: a browser may send whole numbers that no float holds
+_LARGEST = 1e300
 #: counts of which a few are meant
 _FEW = {"numerics.time_resolution_factor": [1, 2, 4, 8, 16]}
 
@@ -122,8 +124,10 @@ class Field:
         if isinstance(self._parameter, Count) and isinstance(value, float) and value.is_integer():
             value = int(value)
         exact = isinstance(self._parameter, Choice | Count | Tables)
-        number = isinstance(value, int | float)
-        self._change(self._path, value if exact or not number else value / self._scale)
+        # what is no number, or none of this world, is refused as it is
+        number = isinstance(value, int | float) and not isinstance(value, bool)
+        scaled = number and not exact and abs(value) < _LARGEST
+        self._change(self._path, value / self._scale if scaled else value)
 
     def _shown(self, value: Any) -> Any:
         if isinstance(self._parameter, Tables):

@@ -6,6 +6,7 @@ takes the answer when it suits.
 
 from __future__ import annotations
 
+import logging
 import threading
 from collections.abc import Callable
 from functools import partial
@@ -13,6 +14,7 @@ from typing import Any
 
 from tyrecontact.errors import TyreContactError
 
+_LOG = logging.getLogger(__name__)
 #: does the work, told at its leisure whether it is still wanted
 Job = Callable[[Callable[[], bool]], Any]
 
@@ -42,10 +44,9 @@ class Latest:
             self._asked += 1
             self._waiting, self._answer = (self._asked, job), None
             if self._thread is None:
-                self._thread = threading.Thread(
-                    target=self._work, name="tyrecontact-latest", daemon=True
-                )
-                self._thread.start()
+                thread = threading.Thread(target=self._work, name="tyrecontact-latest", daemon=True)
+                thread.start()  # fails where there are no more threads: the next question tries
+                self._thread = thread
 
     def take(self) -> tuple[Any, str] | None:
         """What the job gave and "", or None and why it was refused; None while there is none."""
@@ -85,7 +86,13 @@ class Latest:
                 if wanted:
                     self._answer = answer
             if wanted:
-                self._wake()
+                self._tell()
+
+    def _tell(self) -> None:
+        try:
+            self._wake()
+        except Exception:  # the thread goes on: there may be another question
+            _LOG.exception("nobody could be told of an answer")
 
     def _wants(self, number: int) -> bool:
         return number == self._asked
@@ -99,4 +106,5 @@ def _answer(job: Job, wanted: Callable[[], bool]) -> tuple[Any, str]:
     except MemoryError as error:
         return None, str(error) or "not enough memory to prepare this"
     except Exception as error:  # said on the page, where a thread's end would be silence
+        _LOG.exception("a question could not be answered")
         return None, f"an error that should not be, {error!r}"

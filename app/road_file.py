@@ -109,6 +109,7 @@ class RoadFile:
     def close(self) -> None:
         """The visitor has left: remove what was kept on disk."""
         self.work.close()
+        self.upload.abandon()
         self._reading = None
         if self._folder is not None:
             self._folder.cleanup()

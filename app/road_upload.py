@@ -70,8 +70,18 @@ class Upload(pmui.FileInput):
         elif not whole:
             self._drop(name, f"{name} must arrive whole, got {self._number} of {pieces} pieces")
         else:
-            self._forget()
+            self._path = None
+            self.abandon()
             self._done(path, name)
+
+    def abandon(self) -> None:
+        """Let go of a file that has not come to its end, from the disk, too."""
+        self._close()
+        if self._path is not None:
+            self._path.unlink(missing_ok=True)
+        self._path = None
+        self._name, self._pieces, self._number, self._size = "", 0, 0, 0
+        self._refused = False
 
     def _handle_msg(self, msg: Any) -> None:
         """What the browser sends: the protocol of pmui's own upload, which keeps all in memory.
@@ -80,8 +90,7 @@ class Upload(pmui.FileInput):
         """
         match msg:
             case {"status": "initializing"}:
-                self._close()
-                self._forget()
+                self.abandon()
             case {
                 "status": "upload_event",
                 "name": str(name),
@@ -97,8 +106,7 @@ class Upload(pmui.FileInput):
                 self._drop(self._name or "The file", f"the browser could not send it: {error}")
 
     def _begin(self, name: str, pieces: int) -> None:
-        self._close()
-        self._forget()
+        self.abandon()
         ending = scans.require_known(name)
         limits().check_upload((pieces - 1) * _PIECE + 1)
         self._name, self._pieces = name, pieces
@@ -124,8 +132,3 @@ class Upload(pmui.FileInput):
         if self._file is not None:
             self._file.close()
             self._file = None
-
-    def _forget(self) -> None:
-        self._file = self._path = None
-        self._name, self._pieces, self._number, self._size = "", 0, 0, 0
-        self._refused = False

@@ -90,7 +90,7 @@ class Tabs:
     @property
     def title(self) -> str:
         """Of the tab on show."""
-        return self.titles[self._choice.active]
+        return self.titles[min(self._choice.active, len(self.titles) - 1)]
 
     def open(self, title: str) -> None:
         """Show a tab."""
@@ -118,6 +118,8 @@ class Tabs:
                 view.close()
 
     def _opened(self, index: int) -> None:
+        if index >= len(self.titles):  # no page sends that
+            return
         title = self.titles[index]
         if title in self._makers and title not in self._made:
             view = self._made[title] = self._makers[title]()

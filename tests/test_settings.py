@@ -12,7 +12,7 @@ import param
 import pytest
 
 from tyrecontact import Scenario
-from tyrecontact.errors import InputError
+from tyrecontact.errors import InputError, shown
 from tyrecontact.settings import Choice, Count, Quantity, Tables, Text, parsed
 
 SETTINGS = {path: parameter for path, parameter, _ in Scenario().settings()}
@@ -94,8 +94,18 @@ def test_a_quantity_out_of_bounds_is_refused_with_path_bounds_and_unit(path: str
 def test_a_count_out_of_bounds_is_refused_with_path_and_bounds(path: str) -> None:
     low, high = SETTINGS[path].bounds
     for value in (low - 1, high + 1, HUGE):
-        message = refusal(path, value)
-        assert message == f"{path} must be a whole number between {low} and {high}, got {value}"
+        said = f"{path} must be a whole number between {low} and {high}, got {shown(value)}"
+        assert refusal(path, value) == said
+
+
+def test_a_sentence_does_not_repeat_all_of_a_long_value() -> None:
+    for path, value in (
+        ("road.seed", HUGE),
+        ("loading.rate", "x" * 10**6),
+        ("tread.layers", [1] * 999),
+    ):
+        assert len(refusal(path, value)) < 200
+        assert refusal(path, value).endswith("…")
 
 
 @pytest.mark.parametrize("path", NUMBERS)

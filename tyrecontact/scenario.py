@@ -14,7 +14,7 @@ from typing import Any
 
 import param
 
-from tyrecontact.errors import InputError, unknown_name
+from tyrecontact.errors import InputError, shown, unknown_name
 from tyrecontact.parts.process import Adhesion, Loading, Numerics
 from tyrecontact.parts.road import Road, Springs
 from tyrecontact.parts.tread import Tread
@@ -47,7 +47,7 @@ class Scenario(Part):
             if part not in self.PARTS:
                 raise unknown_name("part of a scenario", part, self.PARTS)
             if not isinstance(values, Mapping):
-                raise InputError(f"{part} must be a table of settings, got {values!r}")
+                raise InputError(f"{part} must be a table of settings, got {shown(values)}")
             for name, value in values.items():
                 self.set(f"{part}.{name}", value)
 

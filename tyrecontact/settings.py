@@ -14,7 +14,7 @@ from typing import Any, cast
 import numpy as np
 import param
 
-from tyrecontact.errors import InputError, unknown_name
+from tyrecontact.errors import InputError, shown, unknown_name
 
 #: one declaration for all scenarios: a copy of it for each takes longer than their values
 _SHARED: dict[str, Any] = {"per_instance": False}
@@ -50,7 +50,7 @@ class Quantity(param.Number):
         if not number or not low <= val <= high:
             raise InputError(
                 f"{_path(self)} must be a number between {low:g} and {high:g}{unit}, "
-                f"got {val!r}{unit if number else ''}"
+                f"got {shown(val)}{unit if number else ''}"
             )
 
 
@@ -65,7 +65,7 @@ class Count(param.Integer):
         low, high = cast(tuple[float, float], self.bounds)
         if not isinstance(val, int) or isinstance(val, bool) or not low <= val <= high:
             raise InputError(
-                f"{_path(self)} must be a whole number between {low} and {high}, got {val!r}"
+                f"{_path(self)} must be a whole number between {low} and {high}, got {shown(val)}"
             )
 
 
@@ -90,7 +90,7 @@ class Text(param.String):
 
     def _validate(self, val: Any) -> None:
         if not isinstance(val, str):
-            raise InputError(f"{_path(self)} must be a text, got {val!r}")
+            raise InputError(f"{_path(self)} must be a text, got {shown(val)}")
 
 
 class Tables(param.Parameter):
@@ -109,7 +109,7 @@ class Tables(param.Parameter):
     def taken(self, val: Any) -> list[dict]:
         """The tables checked, and copied: later changes of `val` do not reach the setting."""
         if not isinstance(val, list | tuple) or not all(isinstance(t, Mapping) for t in val):
-            raise InputError(f"{_path(self)} must be a list of tables, got {val!r}")
+            raise InputError(f"{_path(self)} must be a list of tables, got {shown(val)}")
         tables = []
         for number, table in enumerate(val, start=1):
             try:
@@ -159,7 +159,7 @@ class Group(param.ClassSelector):
     def _validate(self, val: Any) -> None:
         if not isinstance(val, self.class_):
             raise InputError(
-                f"{self.name} must be a {cast(type, self.class_).__name__}, got {val!r}"
+                f"{self.name} must be a {cast(type, self.class_).__name__}, got {shown(val)}"
             )
 
 

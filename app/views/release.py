@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from weakref import ref
 
 import holoviews as hv
 import numpy as np
@@ -34,7 +35,7 @@ class ReleaseView(TabView):
 
     def __init__(self) -> None:
         super().__init__()
-        self._run: Run | None = None
+        self._about: ref[Run] | None = None
         self._pulled: dict[int, int] = {}
 
     @property
@@ -56,8 +57,8 @@ class ReleaseView(TabView):
 
     def _in_tension(self, run: Run, columns: Mapping[str, np.ndarray]) -> dict[int, int]:
         """Step -> number of elements that are pulled, of some steps; each is counted once."""
-        if run is not self._run:
-            self._run, self._pulled = run, {}
+        if self._about is None or run is not self._about():
+            self._about, self._pulled = ref(run), {}
         assert run.record is not None
         count = len(columns["time"])
         stride = max(1, count // _MAPS)

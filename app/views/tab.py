@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from html import escape
 from typing import Any, ClassVar
+from weakref import ref
 
 import numpy as np
 import panel as pn
@@ -104,8 +105,10 @@ class TabView(ABC):
         """Draw a run as far as it has come; one under way not more often than can be afforded."""
         phase = None if run is None else run.phase  # first: after an end no row comes
         count = run.record.count if run is not None and run.record is not None else 0
-        shown = (run, count, phase, size)
-        new = not self._shown or run is not self._shown[0] or size != self._size
+        # a tab that is not looked at keeps no run alive that another has superseded
+        about = None if run is None else ref(run)
+        shown = (about, count, phase, size)
+        new = not self._shown or about != self._shown[0] or size != self._size
         hurried = time.monotonic() < self._due and phase is Phase.RUNNING
         if shown == self._shown or (hurried and not new and count and self._shown[1]):
             return

@@ -42,6 +42,7 @@ def test_the_baseline_is_the_run_at_rest_and_is_kept(small: Scenario) -> None:
         (("numerics.kernel", "band-limited"), True),
         (("numerics.time_resolution_factor", 2), False),  # other steps of the road to compare with
         (("road.seed", 2), False),
+        (("numerics.statics", "band-limited"), False),  # another tread at rest
     ],
 )
 def test_the_baseline_is_kept_for_what_does_not_change_it(

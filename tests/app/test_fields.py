@@ -8,6 +8,7 @@ import pytest
 
 from app.fields import Field, label_of, meaning
 from tyrecontact import Scenario
+from tyrecontact.errors import InputError
 from tyrecontact.settings import Text
 
 
@@ -46,6 +47,21 @@ def test_a_count_stays_a_whole_number_whatever_the_browser_sends() -> None:
     _field("springs.exchange_count", changes, []).root.value = 80.0
     assert changes == [("springs.exchange_count", 80)]
     assert isinstance(changes[0][1], int)
+
+
+@pytest.mark.parametrize(
+    "sent", [10**400, -(10**400), float("nan"), True, [1], {"a": 1}, "x" * 10**6]
+)
+@pytest.mark.parametrize("path", ["loading.rate", "springs.exchange_count", "loading.profile"])
+def test_what_no_page_sends_is_refused_in_a_short_sentence(path: str, sent: Any) -> None:
+    scenario = Scenario()
+    part, parameter = scenario.find(path)
+    before = getattr(part, parameter.name)
+    field = Field(path, parameter, before, scenario.set, lambda _: None)
+    with pytest.raises(InputError, match=f"{path} must be") as refused:
+        field.root.value = sent
+    assert len(str(refused.value)) < 220
+    assert getattr(part, parameter.name) == before
 
 
 def test_what_is_set_is_not_told_as_a_change() -> None:

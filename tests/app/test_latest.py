@@ -5,6 +5,8 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 
+import pytest
+
 from app.latest import Latest
 from tyrecontact.errors import InputError
 
@@ -87,3 +89,33 @@ def test_what_was_dropped_is_not_answered_even_if_the_answer_is_there() -> None:
     latest.ask(lambda _: 8)
     assert latest.join(10)
     assert latest.take() == (8, "")
+
+
+def test_one_who_cannot_be_woken_may_ask_again() -> None:
+    woken: list[int] = []
+
+    def wake() -> None:
+        woken.append(1)
+        if len(woken) == 1:
+            raise RuntimeError("the page is gone")
+
+    latest = Latest(wake)
+    for answer in (1, 2):
+        latest.ask(lambda _, answer=answer: answer)
+        assert latest.join(10)
+    assert (len(woken), latest.take()) == (2, (2, ""))
+
+
+def test_a_thread_that_could_not_be_had_is_asked_for_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    latest = Latest(lambda: None)
+
+    def none_left(_: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    with monkeypatch.context() as without:
+        without.setattr(threading.Thread, "start", none_left)
+        with pytest.raises(RuntimeError, match="new thread"):
+            latest.ask(lambda _: 1)
+    latest.ask(lambda _: 2)
+    assert latest.join(10)
+    assert latest.take() == (2, "")

@@ -92,3 +92,20 @@ def test_what_makes_no_sense_is_passed_over(receiver: Receiver) -> None:
     receiver.upload._handle_msg({**piece, "data": b"one"})
     receiver.upload.finish()
     assert receiver.done[0][0].read_bytes() == b"one"
+
+
+@pytest.mark.parametrize("begun", [False, True])
+def test_nothing_stays_on_disk_of_one_that_another_follows(tmp_path: Path, begun: bool) -> None:
+    numbers = iter(range(9))
+    upload = Upload(
+        lambda ending: tmp_path / f"{next(numbers)}{ending}", print, lambda *_: None, print
+    )
+    for _ in range(3):
+        if begun:
+            upload._handle_msg({"status": "initializing"})
+        upload.receive("road.npy", b"x", 1, 2)
+    assert [path.name for path in tmp_path.iterdir()] == ["2.npy"]
+    upload.receive("road.npy", b"y", 2, 2)
+    upload.finish()
+    upload.abandon()
+    assert (tmp_path / "2.npy").read_bytes() == b"xy"

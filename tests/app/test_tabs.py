@@ -69,3 +69,11 @@ def test_closing_ends_what_views_have_under_way(tabs: Tabs, made: list[_View]) -
     tabs.open("Energy")
     tabs.close()
     assert made[0].closed
+
+
+def test_a_tab_that_is_none_is_passed_over(tabs: Tabs, made: list[_View]) -> None:
+    tabs._choice.active = 99
+    tabs.show(None)
+    assert not made
+    tabs.open("Energy")
+    assert len(made) == 1

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import time
+import weakref
 
 import panel as pn
 from bokeh.models import Legend
@@ -51,6 +53,20 @@ def test_a_run_of_few_steps_is_told_as_far_as_it_goes(small: Scenario) -> None:
         view.root.get_root()
 
 
+def test_a_tab_keeps_no_run_alive(small: Scenario) -> None:
+    run = Run(small)
+    run.start()
+    assert run.join(60)
+    views = [made() for made in ALL]
+    for view in views:
+        view.show(run)
+    gone = weakref.ref(run)
+    del run
+    gc.collect()
+    assert gone() is None
+    assert all(view.reading.plots for view in views)
+
+
 def test_a_run_that_was_stopped_before_its_first_step_says_so(small: Scenario) -> None:
     run = Run(small, paused=True)
     run.start()
@@ -86,7 +102,7 @@ def test_a_run_under_way_is_not_drawn_more_often_than_can_be_afforded(finished: 
     finished.phase = Phase.RUNNING
     view.show(finished)
     reading = view.reading
-    view._shown = (finished, 1, Phase.RUNNING, DESK)
+    view._shown = (weakref.ref(finished), 1, Phase.RUNNING, DESK)
     view.show(finished)
     assert view.reading is reading
     finished.phase = Phase.FINISHED

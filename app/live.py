@@ -24,7 +24,7 @@ from .views.style import GREY, VERMILION, Size, horizontal
 #: milliseconds from a change of what a plot shows until a long run is drawn in full there
 _LOOK = 200
 #: heights that fill a screen and no more: what stands above and below is taken off
-_LEFT = "(100vh - 332px - var(--taken, 0px))"
+_LEFT = "(100vh - 132px - 200px * var(--scale, 1) - var(--taken, 0px))"
 _FORCE = f"clamp(230px, calc({_LEFT} * 0.6), 640px)"
 _ITERATIONS = f"clamp(190px, calc({_LEFT} * 0.4), 420px)"
 #: the map is square, and so no wider than there is height

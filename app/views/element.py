@@ -29,7 +29,8 @@ _POINTS = 600
 _HEIGHTS = 100
 #: the way is drawn anew when it has grown by this share
 _GROWTH = 0.01
-_STYLE = ":host { font-size: 14px; line-height: 20px; min-height: 20px; }"
+_STYLE = """:host { font-size: calc(14px * var(--scale, 1)); line-height: 1.43;
+  min-height: calc(20px * var(--scale, 1)); }"""
 _SIDE_BY_SIDE = """:host { display: grid !important; column-gap: 8px;
   grid-template-columns: repeat(auto-fit, minmax(min(300px, 100%), 1fr)); }"""
 

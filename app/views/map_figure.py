@@ -95,12 +95,13 @@ class MapFigure:
         """Size of the marks where there are so many elements along a side."""
         self._marks.glyph.size = max(3.0, 120 / elements)
 
-    def enlarge(self, size: Size) -> None:
-        """Set the type, and a shape of which the map takes all at 440 px."""
+    def enlarge(self, size: Size, lines: int) -> None:
+        """Set the type, and a shape of which the map, with a title of so many lines, takes all at
+        440 px."""
         size.apply(self.root)
         self.bar.major_label_text_font_size = f"{size.tick}px"
         wide = 52 + 1.2 * size.label + 1.2 * size.tick
-        high = 50 + 1.2 * (size.title + size.label + 2 * size.tick)
+        high = 50 + 1.2 * (lines * size.title + size.label + 2 * size.tick)
         self.root.aspect_ratio = 440 / (440 - wide + high)
 
     def _draw(self) -> None:

@@ -218,7 +218,7 @@ def test_axis_type_and_theme_reach_plots_made_before_and_after(finished: Run) ->
     view.follow(1, 1)
     assert view.forces.history.xaxis[0].axis_label == "Time [ms]"
     assert view.forces.spring.xaxis[0].axis_label == "Compression [µm]"
-    assert view.forces.history.title.text_font_size == "24px"
+    assert view.forces.history.title.text_font_size == f"{HALL.title}px"
     dark = view.forces.path, view.forces._lines[0].glyph.line_color
     view.darken(False)
     assert view.forces._lines[0].glyph.line_color != dark[1]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from tyrecontact.key_figures import first_unstable
@@ -37,9 +39,12 @@ def describe(run: Run) -> tuple[str, bool]:
         return _before_the_first_step(run), False
     count, total = run.record.count, len(run.simulation)
     if run.phase is Phase.FAILED:
-        return f"Failed after step {count}; what was computed stays: {run.message}.", True
+        return (
+            f"Failed after step {count}; what was computed stays: {_from_one(run.message)}.",
+            True,
+        )
     if run.phase is not Phase.STOPPED and run.record.stop_reason:
-        reason = run.record.stop_reason
+        reason = _from_one(run.record.stop_reason)
         return f"{reason[:1].upper()}{reason[1:]}. What was computed stays.", True
     failure = _failure(run, count)
     so_far = {
@@ -67,6 +72,11 @@ def _remark(run: Run) -> str:
     return f" {run.message[:1].upper()}{run.message[1:]}." if run.message else ""
 
 
+def _from_one(message: str) -> str:
+    """The library counts steps from 0, the page from 1."""
+    return re.sub(r"\bat step (\d+)", lambda found: f"at step {int(found[1]) + 1}", message)
+
+
 def _warning(run: Run, count: int) -> str:
     """What is coming, before it comes."""
     assert run.record is not None
@@ -91,7 +101,7 @@ def _failure(run: Run, count: int) -> str:
     first = int(bad[0])
     where = f"{columns['indentation'][first] * 1e6:.1f} µm"
     return (
-        f"{bad.size} not converged, the first at step {first} and {where} after "
+        f"{bad.size} not converged, the first at step {first + 1} and {where} after "
         f"{columns['iterations'][first]} iterations, residual {columns['residual'][first]:.1e} m"
         f"{_place(run, first)}. {_why(run, count)}"
     )

@@ -158,7 +158,7 @@ class Player:
         if not self._count:
             return "no step yet"
         step = self._newest if self.step is None else self.step
-        text = f"step {step} of {self._total - 1}"
+        text = f"step {step + 1} of {self._total}"  # as everywhere on the page, from 1
         if self._columns is not None:
             time, depth = (float(self._columns[name][step]) for name in ("time", "indentation"))
             text += f", {three_digits(time * 1e3)} ms, {three_digits(depth * 1e6)} µm"

@@ -181,7 +181,7 @@ def _on_creation(columns: Mapping[str, np.ndarray], step: int) -> str:
     layer = columns["layer_work"]
     deep = three_digits(columns["indentation"][step] * 1e6)
     return (
-        f"From step {step} at {deep} µm on the tread has given back more energy than it got, "
+        f"From step {step + 1} at {deep} µm on the tread has given back more energy than it got, "
         f"{joules(-float(layer.min()))} more at the worst, which no tread can: stepped in time, "
         "its kernel makes energy out of nothing, and what comes after is not to be believed. The "
         "first plot is as high as a run that goes well needs; the second shows all."

@@ -26,11 +26,18 @@ def test_a_failed_step_is_described_with_place_size_cause_and_advice(finished: R
     finished.record.fields(10)[1]["element_force"][2, 4] += 50.0
     sentence, bad = describe(finished)
     assert bad
-    assert "1 not converged, the first at step 10 and " in sentence
+    assert "1 not converged, the first at step 11 and " in sentence
     assert "residual" in sentence
     assert "worst at row 2, column 4" in sentence
     assert f"From {columns['indentation'][8] * 1e6:.1f} µm on the band-limited kernel" in sentence
     assert "try time-resolution factor 2, or the passive kernel" in sentence
+
+
+def test_a_step_at_which_a_run_had_to_end_is_counted_as_on_the_rest_of_the_page(
+    finished: Run,
+) -> None:
+    finished.record.stop_reason = "diverged at step 41: the tread is displaced"
+    assert describe(finished)[0].startswith("Diverged at step 42: the tread")
 
 
 def test_a_step_that_fails_without_an_instability_gets_other_advice(finished: Run) -> None:

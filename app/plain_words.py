@@ -12,14 +12,19 @@ from .phase import Phase
 from .runner import Run
 
 
+def true_minus(number: str) -> str:
+    """A formatted number with the minus sign that the axes of the plots have."""
+    return number.replace("-", "−")
+
+
 def three_digits(value: float) -> str:
     """A number to three significant digits, without an exponent where it can be helped."""
     if value == 0:
         return "0"
     if not 1e-3 <= abs(value) < 1e5:
-        return f"{value:.2e}"
+        return true_minus(f"{value:.2e}")
     digits = f"{value:#.3g}"
-    return f"{float(digits):.0f}" if "e" in digits else digits.rstrip(".")
+    return true_minus(f"{float(digits):.0f}" if "e" in digits else digits.rstrip("."))
 
 
 def duration(seconds: float) -> str:
@@ -84,8 +89,9 @@ def _warning(run: Run, count: int) -> str:
     step = first_unstable(columns)
     if step is None:
         return ""
+    where = true_minus(f"{columns['indentation'][step] * 1e6:.1f}")
     return (
-        f"all converged; from {columns['indentation'][step] * 1e6:.1f} µm on the springs are too "
+        f"all converged; from {where} µm on the springs are too "
         f"stiff for the {run.scenario.numerics.kernel} kernel (stability margin below 0), and it "
         "may blow up."
     )
@@ -99,10 +105,11 @@ def _failure(run: Run, count: int) -> str:
     if bad.size == 0:
         return ""
     first = int(bad[0])
-    where = f"{columns['indentation'][first] * 1e6:.1f} µm"
+    where = true_minus(f"{columns['indentation'][first] * 1e6:.1f} µm")
+    residual = true_minus(f"{columns['residual'][first]:.1e} m")
     return (
         f"{bad.size} not converged, the first at step {first + 1} and {where} after "
-        f"{columns['iterations'][first]} iterations, residual {columns['residual'][first]:.1e} m"
+        f"{columns['iterations'][first]} iterations, residual {residual}"
         f"{_place(run, first)}. {_why(run, count)}"
     )
 
@@ -127,11 +134,11 @@ def _why(run: Run, count: int) -> str:
     columns = {name: column[:count] for name, column in run.record.columns.items()}
     unstable = first_unstable(columns)
     if unstable is not None:
-        depth = columns["indentation"][unstable] * 1e6
+        depth = true_minus(f"{columns['indentation'][unstable] * 1e6:.1f}")
         finer = 2 if numerics.time_resolution_factor < 2 else 4
         cure = f"time-resolution factor {finer}, or " if numerics.time_resolution_factor < 4 else ""
         return (
-            f"From {depth:.1f} µm on the {numerics.kernel} kernel is unstable on springs this "
+            f"From {depth} µm on the {numerics.kernel} kernel is unstable on springs this "
             f"stiff; try {cure}the passive kernel."
         )
     return "Try a smaller time step (time-resolution factor), or more iterations."

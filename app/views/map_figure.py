@@ -31,7 +31,8 @@ _WHERE = "const at = special_vars.image_index; return `row ${at.j}, column ${at.
 # what is no number would be written as NaN before it could be told otherwise
 _STATE = """
 const known = image.data.value[0][special_vars.image_index.flat_index]
-const said = Number.isFinite(known) ? `, ${Number(known.toPrecision(3))} ${unit}` : ""
+const digits = String(Number(Number(known).toPrecision(3))).replaceAll("-", "−")
+const said = Number.isFinite(known) ? `, ${digits} ${unit}` : ""
 return names[value] + said
 """
 

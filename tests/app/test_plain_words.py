@@ -73,7 +73,8 @@ def test_a_run_out_of_time_before_its_first_step_says_so(small: Scenario) -> Non
         (0.6042, "0.604"),
         (35.0, "35.0"),
         (2.9, "2.90"),
-        (1e-9, "1.00e-09"),
+        (1e-9, "1.00e−09"),
+        (-0.25, "−0.250"),
     ],
 )
 def test_numbers_have_three_significant_digits(value: float, shown: str) -> None:

@@ -73,7 +73,7 @@ def test_a_small_pull_is_seen_beside_a_big_push(finished: Run, view: ContactMapV
     assert view.scale.low == pytest.approx(-0.1)  # 1.5 times that, as a short number: 0.09
     assert drawn(view, "shown")[2, 4] == pytest.approx(-0.6)
     labels = view.drawing.bar.major_label_overrides
-    assert labels == {-1: "-0.1", -0.5: "-0.05", 0: "0", 0.5: "1.5", 1: "3"}
+    assert labels == {-1: "−0.1", -0.5: "−0.05", 0: "0", 0.5: "1.5", 1: "3"}
 
 
 def test_the_limits_of_a_run_hold_and_what_is_beyond_is_counted(

@@ -82,10 +82,11 @@ class ElementView:
             self.forget()
 
     def follow(self, row: int, column: int) -> None:
-        """Follow an element; before there is a run nothing happens."""
-        if self._run is None or self._run.simulation is None:
-            return
+        """Follow an element; before there is a run, as soon as there is one."""
         self.element = row, column
+        if self._run is None or self._run.simulation is None:
+            self._say(f"Element row {row}, column {column} is followed in the next run: press Run.")
+            return
         self.open()
         self._build()
         assert self.chooser is not None

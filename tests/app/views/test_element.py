@@ -33,20 +33,10 @@ def hardest(run: Run, step: int = -1) -> tuple[int, int]:
 def test_nothing_is_made_before_an_element_is_followed(finished: Run) -> None:
     view = ElementView()
     assert view.sentence == INVITATION
-    view.follow(1, 1)  # there is no run yet
     view.prepare(finished)
     view.update(finished, 3, ended=False)
     assert (view.element, view.forces, view.chooser) == (None, None, None)
     assert len(view.root) == 2  # words, and the offer to choose
-
-
-def test_who_has_no_pointer_is_offered_a_choice(finished: Run) -> None:
-    view = ElementView()
-    view.prepare(finished)
-    view.offer.clicks += 1
-    assert view.offer not in list(view.root)
-    view.chooser.row.value = 4
-    assert view.element == (4, 0)
 
 
 def test_history_and_working_point_are_those_of_the_element(

@@ -63,6 +63,10 @@ def keep(model: Any, **values: Any) -> None:
 DESK, HALL = Size(14, 13, 12), Size(20, 19, 17, 1.8, 96)
 
 
+#: time [s] and indentation [m] of plots before the first run
+EMPTY = np.array([0.0, 1e-2]), np.array([0.0, 2e-4])
+
+
 @dataclass(frozen=True)
 class Horizontal:
     """A choice of horizontal axis: the column, its label, and its range for a run."""

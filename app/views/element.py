@@ -120,9 +120,9 @@ class ElementView:
         """Set the type."""
         self._size = size
         if self.forces is not None and self.heights is not None:
-            for fig in (self.forces.history, self.forces.spring, self.heights.root):
+            for fig in (self.forces.history, self.forces.spring):
                 enlarge(fig, size)
-            self.heights.bar.major_label_text_font_size = f"{size.tick}px"
+            self.heights.enlarge(size)
 
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
@@ -140,9 +140,14 @@ class ElementView:
         """Make the plots, once."""
         if self.forces is None:
             self.forces, self.heights = ForcePlots(), HeightsPlot()
-            figures = (self.forces.history, self.forces.spring, self.heights.root)
+            figures = (self.forces.history, self.forces.spring)
             panes = [pn.pane.Bokeh(fig, sizing_mode="stretch_width") for fig in figures]
-            self._row = pn.Row(*panes, stylesheets=[_SIDE_BY_SIDE], sizing_mode="stretch_width")
+            self._row = pn.Row(
+                *panes,
+                pn.pane.Bokeh(self.heights.root),
+                stylesheets=[_SIDE_BY_SIDE],
+                sizing_mode="stretch_width",
+            )
             self.root.append(self._row)
             self.enlarge(self._size)
             self.darken(self._dark)

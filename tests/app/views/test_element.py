@@ -8,7 +8,7 @@ import pytest
 from app.runner import Run
 from app.views.element import ElementView
 from app.views.element_words import INVITATION, say
-from app.views.style import HALL, horizontal
+from app.views.style import DESK, HALL, horizontal
 from tyrecontact import Scenario
 from tyrecontact.contact.bonds import ElementState
 
@@ -238,3 +238,10 @@ def test_the_sentence_says_what_the_element_does(
               "contact_area": 0.38e-6}  # fmt: skip
     fields = {name: np.full((8, 13), value) for name, value in values.items()}
     assert say(7, 12, fields, 1e-6) == f"Element row 7, column 12: {said}."
+
+
+def test_the_small_scale_is_a_square_whatever_the_size_of_type(view: ElementView) -> None:
+    for size in (HALL, DESK):
+        view.enlarge(size)
+        assert view.heights.root.frame_width == view.heights.root.frame_height
+    assert not view.heights.root.match_aspect  # a wider frame would show what is not there

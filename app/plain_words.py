@@ -51,6 +51,8 @@ def describe(run: Run) -> tuple[str, bool]:
     if run.phase is not Phase.STOPPED and run.record.stop_reason:
         reason = _from_one(run.record.stop_reason)
         return f"{reason[:1].upper()}{reason[1:]}. What was computed stays.", True
+    if count == 0:
+        return _before_the_first_step(run), False
     failure = _failure(run, count)
     so_far = {
         Phase.STOPPED: f"Stopped at step {count} of {total}; what was computed stays",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from app.plain_words import describe, duration, three_digits
@@ -56,6 +58,18 @@ def test_why_a_run_had_to_end_early_is_said(finished: Run) -> None:
 def test_that_there_is_nothing_to_compare_with_is_said(finished: Run) -> None:
     finished.message = "no quasi-static run to compare with: no balance"
     assert "No quasi-static run to compare with" in describe(finished)[0]
+
+
+def test_a_run_without_a_step_is_at_none(
+    small: Scenario, wait_for: Callable[[Callable[[], bool]], None]
+) -> None:
+    run = Run(small, paused=True)
+    run.start()
+    wait_for(lambda: run.record is not None and run.phase is Phase.PAUSED)
+    assert describe(run) == ("Paused before the first step.", False)
+    run.stop()
+    assert run.join(60)
+    assert describe(run)[0].startswith("Stopped before the first step.")
 
 
 def test_a_run_out_of_time_before_its_first_step_says_so(small: Scenario) -> None:

@@ -12,8 +12,10 @@ import param
 from panel.custom import JSComponent
 
 _STYLE = """
-label { display: flex; align-items: center; gap: 6px; font-size: 14px; }
-input { width: 64px; height: 30px; box-sizing: border-box; padding: 0 6px; font: inherit;
+label { display: flex; align-items: center; gap: 6px;
+  font-size: calc(14px * var(--scale, 1)); }
+input { width: calc(64px * var(--scale, 1)); height: calc(30px * var(--scale, 1));
+  box-sizing: border-box; padding: 0 6px; font: inherit;
   color: inherit; background: none; border-radius: 6px;
   border: 1px solid color-mix(in srgb, currentColor 50%, transparent); }
 :focus-visible { outline: 2px solid #3A8FC2; outline-offset: 2px; }

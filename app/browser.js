@@ -73,6 +73,8 @@ export function render({model, el}) {
     if (message.copy !== undefined) { model.send_msg({copied: await copy(message.copy)}) }
     for (const [name, value] of Object.entries(message.style ?? {})) {
       document.documentElement.style.setProperty(name, value)
+      // the type of buttons, tabs and choices follows that of the page
+      if (name === "--scale") { document.documentElement.style.fontSize = `${100 * value}%` }
     }
   })
   model.send_msg({width: window.innerWidth, address: window.location.href.split(/[?#]/)[0]})

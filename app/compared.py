@@ -83,7 +83,7 @@ def _figures(run: Pinned) -> dict[str, str]:
     failed = found["failed_at"]
     where = NONE
     if failed is not None:
-        where = f"{failed['step']}, at {three_digits(failed['indentation'] * 1e6)} µm"
+        where = f"{failed['step'] + 1}, at {three_digits(failed['indentation'] * 1e6)} µm"
     return {
         "Steps": str(run.steps),
         "Peak force": _value(found["max_force"], "N"),

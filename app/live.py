@@ -19,12 +19,12 @@ from .views.iterations import IterationsView
 from .views.legend import LegendView
 from .views.map_modes import MODES
 from .views.pinned import PinnedCurves, entries
-from .views.style import GREY, VERMILION, Size, horizontal
+from .views.style import EMPTY, GREY, VERMILION, Size, horizontal
 
 #: milliseconds from a change of what a plot shows until a long run is drawn in full there
 _LOOK = 200
 #: heights that fill a screen and no more: what stands above and below is taken off
-_LEFT = "(100vh - 332px - var(--taken, 0px))"
+_LEFT = "(100vh - 132px - 200px * var(--scale, 1) - var(--taken, 0px))"
 _FORCE = f"clamp(230px, calc({_LEFT} * 0.6), 640px)"
 _ITERATIONS = f"clamp(190px, calc({_LEFT} * 0.4), 420px)"
 #: the map is square, and so no wider than there is height
@@ -79,7 +79,7 @@ class Live:
             view.root.x_range.on_change("end", self._look_soon)
         self._document = pn.state.curdoc  # None where there is no browser, as in tests
         self._looking = False
-        self._axis = horizontal("indentation", np.array([0.0, 1e-2]), np.array([0.0, 2e-4]))
+        self._axis = horizontal("indentation", *EMPTY)
         self._run: Run | None = None
         self._drawn = self._counted = 0
         self._turn = False
@@ -198,15 +198,19 @@ class Live:
 
     def _choose_axis(self) -> None:
         """Put on the horizontal axis what is chosen, as far as the run on show goes."""
-        run = self._run
-        if run is None or run.simulation is None:
-            return
-        depth = run.simulation.schedule.drive if run.baseline is None else run.baseline.met
-        axis = horizontal(self.axis.value, run.simulation.schedule.time, depth)
+        axis = horizontal(self.axis.value, *self._reach())
         for view in (self.force, self.iterations, self.element):
             view.show_against(axis)
         self._axis, self._shown = axis, None
         self._show_pinned()
+
+    def _reach(self) -> tuple[np.ndarray, np.ndarray]:
+        """Time [s] and indentation [m] that there are, or may be."""
+        run = self._run
+        if run is None or run.simulation is None:
+            return EMPTY
+        depth = run.simulation.schedule.drive if run.baseline is None else run.baseline.met
+        return run.simulation.schedule.time, depth
 
     def _show_pinned(self) -> None:
         self.pinned.show(self._shelf.pinned, self._axis)

@@ -26,7 +26,9 @@ _THEME = {
 }
 # Panel takes a press, and with it any change of the last 50 ms, without the document's lock, which
 # every change of a plot needs
-Syncable._event_coroutine = with_lock(Syncable._event_coroutine)
+Syncable._event_coroutine = with_lock(  # type: ignore[method-assign]
+    Syncable._event_coroutine
+)
 #: below this width [px] the sidebar would cover the page
 _PHONE = 600
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
 from tyrecontact.key_figures import first_unstable
@@ -10,14 +12,19 @@ from .phase import Phase
 from .runner import Run
 
 
+def true_minus(number: str) -> str:
+    """A formatted number with the minus sign that the axes of the plots have."""
+    return number.replace("-", "−")
+
+
 def three_digits(value: float) -> str:
     """A number to three significant digits, without an exponent where it can be helped."""
     if value == 0:
         return "0"
     if not 1e-3 <= abs(value) < 1e5:
-        return f"{value:.2e}"
+        return true_minus(f"{value:.2e}")
     digits = f"{value:#.3g}"
-    return f"{float(digits):.0f}" if "e" in digits else digits.rstrip(".")
+    return true_minus(f"{float(digits):.0f}" if "e" in digits else digits.rstrip("."))
 
 
 def duration(seconds: float) -> str:
@@ -37,10 +44,15 @@ def describe(run: Run) -> tuple[str, bool]:
         return _before_the_first_step(run), False
     count, total = run.record.count, len(run.simulation)
     if run.phase is Phase.FAILED:
-        return f"Failed after step {count}; what was computed stays: {run.message}.", True
+        return (
+            f"Failed after step {count}; what was computed stays: {_from_one(run.message)}.",
+            True,
+        )
     if run.phase is not Phase.STOPPED and run.record.stop_reason:
-        reason = run.record.stop_reason
+        reason = _from_one(run.record.stop_reason)
         return f"{reason[:1].upper()}{reason[1:]}. What was computed stays.", True
+    if count == 0:
+        return _before_the_first_step(run), False
     failure = _failure(run, count)
     so_far = {
         Phase.STOPPED: f"Stopped at step {count} of {total}; what was computed stays",
@@ -67,6 +79,11 @@ def _remark(run: Run) -> str:
     return f" {run.message[:1].upper()}{run.message[1:]}." if run.message else ""
 
 
+def _from_one(message: str) -> str:
+    """The library counts steps from 0, the page from 1."""
+    return re.sub(r"\bat step (\d+)", lambda found: f"at step {int(found[1]) + 1}", message)
+
+
 def _warning(run: Run, count: int) -> str:
     """What is coming, before it comes."""
     assert run.record is not None
@@ -74,8 +91,9 @@ def _warning(run: Run, count: int) -> str:
     step = first_unstable(columns)
     if step is None:
         return ""
+    where = true_minus(f"{columns['indentation'][step] * 1e6:.1f}")
     return (
-        f"all converged; from {columns['indentation'][step] * 1e6:.1f} µm on the springs are too "
+        f"all converged; from {where} µm on the springs are too "
         f"stiff for the {run.scenario.numerics.kernel} kernel (stability margin below 0), and it "
         "may blow up."
     )
@@ -89,10 +107,11 @@ def _failure(run: Run, count: int) -> str:
     if bad.size == 0:
         return ""
     first = int(bad[0])
-    where = f"{columns['indentation'][first] * 1e6:.1f} µm"
+    where = true_minus(f"{columns['indentation'][first] * 1e6:.1f} µm")
+    residual = true_minus(f"{columns['residual'][first]:.1e} m")
     return (
-        f"{bad.size} not converged, the first at step {first} and {where} after "
-        f"{columns['iterations'][first]} iterations, residual {columns['residual'][first]:.1e} m"
+        f"{bad.size} not converged, the first at step {first + 1} and {where} after "
+        f"{columns['iterations'][first]} iterations, residual {residual}"
         f"{_place(run, first)}. {_why(run, count)}"
     )
 
@@ -117,11 +136,11 @@ def _why(run: Run, count: int) -> str:
     columns = {name: column[:count] for name, column in run.record.columns.items()}
     unstable = first_unstable(columns)
     if unstable is not None:
-        depth = columns["indentation"][unstable] * 1e6
+        depth = true_minus(f"{columns['indentation'][unstable] * 1e6:.1f}")
         finer = 2 if numerics.time_resolution_factor < 2 else 4
         cure = f"time-resolution factor {finer}, or " if numerics.time_resolution_factor < 4 else ""
         return (
-            f"From {depth:.1f} µm on the {numerics.kernel} kernel is unstable on springs this "
+            f"From {depth} µm on the {numerics.kernel} kernel is unstable on springs this "
             f"stiff; try {cure}the passive kernel."
         )
     return "Try a smaller time step (time-resolution factor), or more iterations."

@@ -16,9 +16,12 @@ from .told import Told
 DURATION = 8.0
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 _STYLE = """
-.bar { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 8px; font-size: 14px; }
-input { flex: 1 1 120px; min-width: 80px; height: 32px; margin: 0; accent-color: #3A8FC2; }
-button, select { height: 32px; min-width: 40px; padding: 0 8px; font: inherit; color: inherit;
+.bar { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 8px;
+  font-size: calc(14px * var(--scale, 1)); }
+input { flex: 1 1 120px; min-width: 80px; height: calc(32px * var(--scale, 1));
+  margin: 0; accent-color: #3A8FC2; }
+button, select { height: calc(32px * var(--scale, 1)); min-width: 40px; padding: 0 8px;
+  font: inherit; color: inherit;
   background: color-mix(in srgb, currentColor 6%, transparent); border-radius: 6px;
   border: 1px solid color-mix(in srgb, currentColor 35%, transparent); cursor: pointer; }
 option { color: black; background: white; }
@@ -26,7 +29,8 @@ button[aria-pressed="true"] { background: color-mix(in srgb, currentColor 20%, t
   font-weight: 600; }
 :disabled { opacity: 0.5; cursor: default; }
 :focus-visible { outline: 2px solid #3A8FC2; outline-offset: 2px; }
-.label { flex: 0 1 auto; min-width: 252px; font-variant-numeric: tabular-nums; }
+.label { flex: 0 1 auto; min-width: calc(252px * var(--scale, 1));
+  font-variant-numeric: tabular-nums; }
 """
 
 
@@ -154,7 +158,7 @@ class Player:
         if not self._count:
             return "no step yet"
         step = self._newest if self.step is None else self.step
-        text = f"step {step} of {self._total - 1}"
+        text = f"step {step + 1} of {self._total}"  # as everywhere on the page, from 1
         if self._columns is not None:
             time, depth = (float(self._columns[name][step]) for name in ("time", "indentation"))
             text += f", {three_digits(time * 1e3)} ms, {three_digits(depth * 1e6)} µm"

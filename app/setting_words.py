@@ -13,6 +13,7 @@ from tyrecontact import Scenario, presets
 from tyrecontact.settings import Choice, Count, Tables, Text
 
 from .fields import label_of
+from .plain_words import true_minus
 
 #: settings that are known by their value alone: path -> its words
 _KNOWN: dict[str, Callable[[str], str]] = {
@@ -42,7 +43,7 @@ def with_unit(parameter: param.Parameter, value: Any) -> str:
     if unit[:1].isdigit():  # a power of ten, for forms alone
         unit, factor = "", 1.0
     number = str(value) if isinstance(parameter, Count) else f"{value * factor:.10g}"
-    return f"{number} {unit.replace('2', '²').replace('3', '³')}".rstrip()
+    return f"{true_minus(number)} {unit}".rstrip()
 
 
 def changes(scenario: Scenario, base: Scenario) -> list[str]:

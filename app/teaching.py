@@ -36,10 +36,11 @@ class Teaching:
         self.card.size(size)
 
     def _apply(self, preset: str | None, settings: dict[str, Any]) -> None:
-        """Put into the form what is to be run."""
-        if preset is not None:
-            self._session.load_preset(preset)
-        self._session.controls.change_all(settings)
+        """Put into the form what is to be run: one change, however much it takes."""
+        with self._session.controls.history.as_one():
+            if preset is not None:
+                self._session.load_preset(preset)
+            self._session.controls.change_all(settings)
         self._session.choose_axis()
 
     def _point(self, place: str) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import shutil
 import tempfile
 from collections.abc import Callable
 from itertools import count
@@ -82,14 +84,16 @@ class TextFile:
         """Write a file, and let the oldest go; undo finds the ones between."""
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
-        # nothing of the visitor's name is taken
-        path = Path(self._folder.name) / f"table-{next(self._numbers)}.txt"
+        name = str(self.root.filename or "table.txt")
+        # what is wrong with a file is said of the name that it has here
+        path = Path(self._folder.name) / str(next(self._numbers)) / _harmless(name)
+        path.parent.mkdir()
         path.write_bytes(content)
-        self._names[str(path)] = str(self.root.filename or path.name)
+        self._names[str(path)] = name
         while len(self._names) > KEPT:
             oldest = next(iter(self._names))
             del self._names[oldest]
-            Path(oldest).unlink(missing_ok=True)
+            shutil.rmtree(Path(oldest).parent, ignore_errors=True)
         return str(path)
 
 
@@ -123,6 +127,12 @@ class SmallFile(pmui.FileInput):
             case _:
                 return
         super()._handle_msg(msg)
+
+
+def _harmless(name: str) -> str:
+    """A visitor's name of a file, as far as it can be one on the server: no folder, no signs."""
+    kept = re.sub(r"[^\w .()+-]", "_", re.split(r"[/\\]", name)[-1])
+    return kept.strip(" .")[-60:].strip(" .") or "table.txt"
 
 
 def _too_large(title: str, size: int) -> str:

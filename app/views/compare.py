@@ -16,7 +16,7 @@ from .compare_controls import CompareControls
 from .compare_plots import Plots, plots
 from .compare_table import STYLE, key, sentences, table
 from .compare_table import beside as side_by_side
-from .input_sheet import beside, grid, height
+from .input_sheet import height, width
 from .rest import Redrawn
 from .style import DESK, Size
 
@@ -25,6 +25,9 @@ _EMPTY = (
     f"{MOST} runs are kept; here will be seen in what settings they differ, what each came to, "
     "their curves in one plot, and how far their forces are apart."
 )
+#: all plots are as wide as each other, also in a row that they do not fill
+_EVEN = """:host {{ display: grid; align-items: start;
+  grid-template-columns: repeat(auto-fill, minmax(min({}px, 100%), 1fr)); }}"""
 #: a run under way is drawn anew when so many times the last drawing's cost has passed
 _PATIENCE = 10
 
@@ -47,7 +50,7 @@ class CompareView:
         self.words = pn.pane.HTML("", margin=(8, 10, 4, 10), **html)
         self.tables = pn.pane.HTML("", margin=(4, 10), **html)
         self._places = pn.Column(sizing_mode="stretch_width", margin=0)
-        self._grid = grid()
+        self._grid = pn.Row(sizing_mode="stretch_width", margin=0)
         self._plots: dict[str, Redrawn] = {}
         self.root = pn.Column(
             self.words, self._places, self.tables, self._grid, sizing_mode="stretch_width", margin=0
@@ -115,7 +118,10 @@ class CompareView:
             return
         self._drawn_for = size, cast
         self._plots = {n: Redrawn(element, size, height(size)) for n, element in elements.items()}
-        self._grid.objects = [beside(plot.root, size) for plot in self._plots.values()]
+        self._grid.param.update(
+            objects=[plot.root for plot in self._plots.values()],
+            stylesheets=[_EVEN.format(width(size))],
+        )
 
     #: type, and labels and looks of the runs that the plots were made for
     _drawn_for: tuple[Any, ...] = ()

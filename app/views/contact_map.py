@@ -17,7 +17,7 @@ from .headline import three_digits
 from .map_figure import NO_FRAME, NO_MARKS, MapFigure, no_image
 from .map_modes import MODES, STATE_COLORS, STATES, Fields
 from .map_scale import Scale
-from .style import DESK, Size
+from .style import DESK, HALL, Size
 
 _MARKERS = {ElementState.TENSION: "inverted_triangle", ElementState.RELEASED: "circle_x"}
 
@@ -40,7 +40,7 @@ class ContactMapView:
         self.root: Any = self.drawing.root
         self._elements, self._spacing = 20, 1e-3
         self._followed: tuple[int, int] | None = None
-        self._settled = True
+        self._settled, self._large = True, False
         self.clear()
         self.enlarge(DESK)
         # while a busy browser draws a run, it takes a tap for a long press
@@ -59,7 +59,8 @@ class ContactMapView:
         self.drawing.image.data = no_image(self._elements * self._spacing * 1e3)
         self.drawing.marks.data = NO_MARKS
         self._rescale()
-        self.root.title.text = MODES[self.mode].title
+        self._more: tuple[str, ...] = ()
+        self._entitle()
 
     def reset(self, side: float, elements: int, peak_force: float | None) -> None:
         """An empty map of a patch of a side [m], whose forces are expected up to a peak [N]."""
@@ -86,8 +87,7 @@ class ContactMapView:
             # all of the run so far, so that the limits stay when it is replayed
             self._fit(MODES[name].values(self._on_show[0].maps(), self._spacing**2), room=1.0)
         self._rescale()
-        if self._on_show is None:
-            self.root.title.text = MODES[name].title
+        self._entitle()
         self._draw()
 
     def show(self, record: Record, step: int, spacing: float, settled: bool = True) -> None:
@@ -112,8 +112,10 @@ class ContactMapView:
         self._frame()
 
     def enlarge(self, size: Size) -> None:
-        """Set the type; the map stays square."""
-        self.drawing.enlarge(size)
+        """Set the type; the map stays square. Where the type is large its title has two lines."""
+        self._large = size == HALL
+        self.drawing.enlarge(size, lines=2 if self._large else 1)
+        self._entitle()
 
     def _draw(self) -> None:
         """One update of the image; nothing where it would be the same."""
@@ -135,22 +137,26 @@ class ContactMapView:
             "corner": [0.0],
         }
         self._mark(fields if mode.marks else None)
-        self._entitle(record, number, values)
+        self._more = (*self._when(record, number), *self._beyond(values))
+        self._entitle()
         self._drawn = (record, number, self.mode, self.scale, self._settled)
 
-    def _entitle(self, record: Record, number: int, values: np.ndarray) -> None:
-        beyond = np.count_nonzero(values > self.scale.high) if self.scale.fixed else 0
-        more = f", {beyond} beyond scale" if beyond else ""
-        title = f"{MODES[self.mode].title}{self._when(record, number)}{more}"
-        if self.root.title.text != title:
-            self.root.title.text = title
+    def _entitle(self) -> None:
+        title, more = MODES[self.mode].title, ", ".join(self._more)
+        said = f"{title}\n{more or ' '}" if self._large else ", ".join((title, *self._more))
+        if self.root.title.text != said:
+            self.root.title.text = said
 
-    def _when(self, record: Record, number: int) -> str:
+    def _beyond(self, values: np.ndarray) -> list[str]:
+        beyond = np.count_nonzero(values > self.scale.high) if self.scale.fixed else 0
+        return [f"{beyond} beyond scale"] if beyond else []
+
+    def _when(self, record: Record, number: int) -> list[str]:
         """Of a step that stays on show: for another title the plot is laid out anew."""
         if not self._settled:
-            return ""
+            return []
         time = three_digits(float(record.columns["time"][number]) * 1e3)
-        return f", step {number}, {time} ms"
+        return [f"step {number + 1}, {time} ms"]
 
     def _fit(self, values: np.ndarray, room: float = 1.5) -> None:
         """Limits that hold these values, too."""

@@ -29,7 +29,8 @@ _POINTS = 600
 _HEIGHTS = 100
 #: the way is drawn anew when it has grown by this share
 _GROWTH = 0.01
-_STYLE = ":host { font-size: 14px; line-height: 20px; min-height: 20px; }"
+_STYLE = """:host { font-size: calc(14px * var(--scale, 1)); line-height: 1.43;
+  min-height: calc(20px * var(--scale, 1)); }"""
 _SIDE_BY_SIDE = """:host { display: grid !important; column-gap: 8px;
   grid-template-columns: repeat(auto-fit, minmax(min(300px, 100%), 1fr)); }"""
 
@@ -81,10 +82,11 @@ class ElementView:
             self.forget()
 
     def follow(self, row: int, column: int) -> None:
-        """Follow an element; before there is a run nothing happens."""
-        if self._run is None or self._run.simulation is None:
-            return
+        """Follow an element; before there is a run, as soon as there is one."""
         self.element = row, column
+        if self._run is None or self._run.simulation is None:
+            self._say(f"Element row {row}, column {column} is followed in the next run: press Run.")
+            return
         self.open()
         self._build()
         assert self.chooser is not None
@@ -118,9 +120,9 @@ class ElementView:
         """Set the type."""
         self._size = size
         if self.forces is not None and self.heights is not None:
-            for fig in (self.forces.history, self.forces.spring, self.heights.root):
+            for fig in (self.forces.history, self.forces.spring):
                 enlarge(fig, size)
-            self.heights.bar.major_label_text_font_size = f"{size.tick}px"
+            self.heights.enlarge(size)
 
     def darken(self, dark: bool) -> None:
         """Follow the page's theme."""
@@ -138,9 +140,14 @@ class ElementView:
         """Make the plots, once."""
         if self.forces is None:
             self.forces, self.heights = ForcePlots(), HeightsPlot()
-            figures = (self.forces.history, self.forces.spring, self.heights.root)
+            figures = (self.forces.history, self.forces.spring)
             panes = [pn.pane.Bokeh(fig, sizing_mode="stretch_width") for fig in figures]
-            self._row = pn.Row(*panes, stylesheets=[_SIDE_BY_SIDE], sizing_mode="stretch_width")
+            self._row = pn.Row(
+                *panes,
+                pn.pane.Bokeh(self.heights.root),
+                stylesheets=[_SIDE_BY_SIDE],
+                sizing_mode="stretch_width",
+            )
             self.root.append(self._row)
             self.enlarge(self._size)
             self.darken(self._dark)

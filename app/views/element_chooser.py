@@ -12,12 +12,17 @@ import param
 from panel.custom import JSComponent
 
 _STYLE = """
-label { display: flex; align-items: center; gap: 6px; font-size: 14px; }
-input { width: 64px; height: 30px; box-sizing: border-box; padding: 0 6px; font: inherit;
+label { display: flex; align-items: center; gap: 6px;
+  font-size: calc(14px * var(--scale, 1)); }
+input { width: calc(64px * var(--scale, 1)); height: calc(30px * var(--scale, 1));
+  box-sizing: border-box; padding: 0 6px; font: inherit;
   color: inherit; background: none; border-radius: 6px;
   border: 1px solid color-mix(in srgb, currentColor 50%, transparent); }
 :focus-visible { outline: 2px solid #3A8FC2; outline-offset: 2px; }
 """
+
+#: rows and columns that can be asked for before it is known how many there are
+MOST = 9999
 
 
 class WholeNumber(JSComponent):
@@ -25,7 +30,7 @@ class WholeNumber(JSComponent):
 
     label = param.String(default="")
     value = param.Integer(default=0)
-    end = param.Integer(default=0, doc="The largest that can be chosen")
+    end = param.Integer(default=MOST, doc="The largest that can be chosen")
 
     _esm = Path(__file__).with_suffix(".js")
     _stylesheets: ClassVar[list[str]] = [_STYLE]
@@ -55,8 +60,10 @@ class ElementChooser:
 
     def bound(self, elements: int) -> None:
         """So many elements a side can be chosen among."""
+        self._silent = True
         for number in (self.row, self.column):
-            number.end = elements - 1
+            number.param.update(end=elements - 1, value=min(number.value, elements - 1))
+        self._silent = False
 
     def show(self, row: int, column: int) -> None:
         """Show what was chosen elsewhere."""

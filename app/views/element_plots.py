@@ -13,9 +13,11 @@ from bokeh.plotting import figure
 from tyrecontact.road.springs import Springs
 
 from .map_scale import Scale
-from .style import GREY, RUN_COLOR, VERMILION, Horizontal, Size, hover, plot, put_on
+from .style import DESK, GREY, RUN_COLOR, VERMILION, Horizontal, Size, hover, plot, put_on
 
 HEIGHT = 240
+#: side of the heights, which are square, in a plot of that height [px]
+_SQUARE = 157
 #: points of a spring's curve
 _POINTS = 160
 #: share of the heights that may lie beyond the scale
@@ -148,8 +150,8 @@ class HeightsPlot:
         ranges: list[Any] = [DataRange1d(range_padding=0) for _ in range(2)]
         self.root: Any = figure(
             title="Its small scale; red touches", x_axis_label="x [mm]", y_axis_label="y [mm]",
-            x_range=ranges[0], y_range=ranges[1], match_aspect=True, height=HEIGHT,
-            sizing_mode="stretch_width", tools="save", toolbar_location="above",
+            x_range=ranges[0], y_range=ranges[1], frame_width=_SQUARE, frame_height=_SQUARE,
+            tools="save", toolbar_location="above",
             output_backend="canvas", outline_line_color=None, min_border_left=64,
         )  # fmt: skip
         self.root.toolbar.logo, self.root.toolbar.autohide = None, True
@@ -171,6 +173,13 @@ class HeightsPlot:
         hover(self.root, images[0], [("below its top", "@height{0.0} µm")], "mouse")
         for data_range in ranges:
             data_range.renderers = images[:1]
+
+    def enlarge(self, size: Size) -> None:
+        """Set the type, and the side that goes with it."""
+        size.apply(self.root)
+        side = round(_SQUARE * size.label / DESK.label)
+        self.root.update(frame_width=side, frame_height=side)
+        self.bar.major_label_text_font_size = f"{size.tick}px"
 
     def clear(self) -> None:
         self.heights.data = self.touching.data = _NO_HEIGHTS
@@ -203,4 +212,4 @@ class HeightsPlot:
 def enlarge(fig: figure, size: Size) -> None:
     """Set type and height of one of these plots."""
     size.apply(fig)
-    fig.height = round(HEIGHT * size.label / 13)
+    fig.height = round(HEIGHT * size.label / DESK.label)

@@ -10,8 +10,8 @@ import numpy as np
 
 from tyrecontact import key_figures
 
+from ..plain_words import three_digits, true_minus
 from ..runner import Baseline
-from .headline import three_digits
 from .lines import RUN, Line, behind, dimensions, framed, lines
 from .style import GREY, ORANGE, VERMILION
 from .tab import Reading, Seen, TabView
@@ -173,7 +173,7 @@ def _missing(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
     share = key_figures.imbalance(columns) / np.abs(columns["drive_work"]).max()
     power = int(np.floor(np.log10(np.abs(share).max()))) if share.any() else 0
     line = Line("missing", columns["time"] * 1e3, share / 10.0**power, VERMILION, width=1.5)
-    label = f"Share [1e{power}]" if power else "Share"
+    label = true_minus(f"Share [1e{power}]") if power else "Share"
     return lines("Missing from the account, of the work", _TIME, label, [line], legend=False)
 
 
@@ -181,7 +181,7 @@ def _on_creation(columns: Mapping[str, np.ndarray], step: int) -> str:
     layer = columns["layer_work"]
     deep = three_digits(columns["indentation"][step] * 1e6)
     return (
-        f"From step {step} at {deep} µm on the tread has given back more energy than it got, "
+        f"From step {step + 1} at {deep} µm on the tread has given back more energy than it got, "
         f"{joules(-float(layer.min()))} more at the worst, which no tread can: stepped in time, "
         "its kernel makes energy out of nothing, and what comes after is not to be believed. The "
         "first plot is as high as a run that goes well needs; the second shows all."
@@ -215,7 +215,7 @@ def _on_closing(columns: Mapping[str, np.ndarray]) -> str:
         return f"{three_digits(100 * share)} % of it are missing, which is more than rounding."
     if share == 0:
         return "The account closes to the last digit."
-    return f"The account closes to {share:.0e} of the work, which is rounding."
+    return f"The account closes to {true_minus(f'{share:.0e}')} of the work, which is rounding."
 
 
 def _figures(columns: Mapping[str, np.ndarray]) -> dict[str, str]:

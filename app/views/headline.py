@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, ClassVar
 
-from ..plain_words import describe, duration, three_digits
+from ..plain_words import describe, duration, three_digits, true_minus
 from ..runner import Run
 from ..told import Told
 
@@ -74,7 +74,7 @@ def _figures(run: Run | None) -> dict[str, tuple[str, str]]:
     record = run.record
     columns, last = record.columns, record.count - 1
     force = columns["contact_force"]
-    shown["Indentation"] = (f"{columns['indentation'][last] * 1e6:.1f}", "µm")
+    shown["Indentation"] = (true_minus(f"{columns['indentation'][last] * 1e6:.1f}"), "µm")
     shown["Force"] = (three_digits(force[last]), "N")
     elements = record.fields(last)[1]["state"].size
     shown["Contacts"] = (str(columns["contacts"][last]), f"of {elements}")

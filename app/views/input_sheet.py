@@ -69,9 +69,14 @@ def height(size: Size) -> int:
     return _TALL if size == HALL else _HEIGHT
 
 
+def width(size: Size) -> int:
+    """The least of a plot [px]."""
+    return _WIDE if size == HALL else _WIDTH
+
+
 def beside(plot: Any, size: Size) -> Any:
     """A plot that stands beside others where there is room."""
-    least = _WIDE if size == HALL else _WIDTH
+    least = width(size)
     plot.styles = {"flex": f"1 1 {least}px", "min-width": f"min(100%, {least}px)"}
     return plot
 

@@ -15,8 +15,8 @@ from .style import DESK, GREY, MARGIN_COLOR, RUN_COLOR, VERMILION, Size
 
 _STYLE = """
 /* room for two lines from the first: a step that fails moves no plot */
-ul { display: flex; flex-wrap: wrap; align-content: center; gap: 2px 18px; min-height: 40px;
-     margin: 0; padding: 0; list-style: none; }
+ul { display: flex; flex-wrap: wrap; align-content: center; gap: 2px 18px;
+     min-height: calc(40px * var(--scale, 1)); margin: 0; padding: 0; list-style: none; }
 @media (max-width: 600px) { :host { flex-basis: 100% !important; } }
 li { display: flex; align-items: center; gap: 6px; white-space: nowrap; }
 """

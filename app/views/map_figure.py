@@ -31,7 +31,8 @@ _WHERE = "const at = special_vars.image_index; return `row ${at.j}, column ${at.
 # what is no number would be written as NaN before it could be told otherwise
 _STATE = """
 const known = image.data.value[0][special_vars.image_index.flat_index]
-const said = Number.isFinite(known) ? `, ${Number(known.toPrecision(3))} ${unit}` : ""
+const digits = String(Number(Number(known).toPrecision(3))).replaceAll("-", "−")
+const said = Number.isFinite(known) ? `, ${digits} ${unit}` : ""
 return names[value] + said
 """
 
@@ -95,12 +96,13 @@ class MapFigure:
         """Size of the marks where there are so many elements along a side."""
         self._marks.glyph.size = max(3.0, 120 / elements)
 
-    def enlarge(self, size: Size) -> None:
-        """Set the type, and a shape of which the map takes all at 440 px."""
+    def enlarge(self, size: Size, lines: int) -> None:
+        """Set the type, and a shape of which the map, with a title of so many lines, takes all at
+        440 px."""
         size.apply(self.root)
         self.bar.major_label_text_font_size = f"{size.tick}px"
         wide = 52 + 1.2 * size.label + 1.2 * size.tick
-        high = 50 + 1.2 * (size.title + size.label + 2 * size.tick)
+        high = 50 + 1.2 * (lines * size.title + size.label + 2 * size.tick)
         self.root.aspect_ratio = 440 / (440 - wide + high)
 
     def _draw(self) -> None:

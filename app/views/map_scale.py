@@ -8,6 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from bokeh.palettes import Blues256, Cividis256, Oranges256
 
+from ..plain_words import true_minus
+
 #: limits are such numbers, whose halves are short, times a power of ten
 _LIMITS = (1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 #: room that a limit gets when it has to grow while a run goes on
@@ -63,4 +65,4 @@ class Scale:
         """Place -> label, five of them."""
         places = (-1.0, -0.5, 0.0, 0.5, 1.0) if self.low else (0.0, 0.25, 0.5, 0.75, 1.0)
         high = self.high or 1.0
-        return {at: f"{at * (high if at >= 0 else -self.low):.3g}" for at in places}
+        return {at: true_minus(f"{at * (high if at >= 0 else -self.low):.3g}") for at in places}

@@ -83,7 +83,8 @@ def _pairs(seen: Seen) -> list[_Pair]:
 
 def _too_short(seen: Seen) -> str:
     if seen.failed_at is not None:
-        return f"No stiffness can be read off: the run failed from its step {seen.failed_at} on."
+        first = seen.failed_at + 1
+        return f"No stiffness can be read off: the run failed from its step {first} on."
     if not np.any(seen.columns["contact_force"]):
         return "Road and tread have not met yet: there is no stiffness before they do."
     if seen.ended:

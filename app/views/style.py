@@ -60,7 +60,11 @@ def keep(model: Any, **values: Any) -> None:
             model.js_on_change(name, CustomJS(code=_SET_BACK))
 
 
-DESK, HALL = Size(14, 13, 12), Size(24, 21, 19, 1.8, 104)
+DESK, HALL = Size(14, 13, 12), Size(20, 19, 17, 1.8, 96)
+
+
+#: time [s] and indentation [m] of plots before the first run
+EMPTY = np.array([0.0, 1e-2]), np.array([0.0, 2e-4])
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from app.browser import Browser
+from app.browser import _AHEAD, Browser
 
 
 def test_frames_wait_for_a_browser_that_does_not_keep_up() -> None:
@@ -13,7 +13,7 @@ def test_frames_wait_for_a_browser_that_does_not_keep_up() -> None:
     while browser.is_ready and sent < 10:
         browser.send_frame()
         sent += 1
-    assert sent == 5
+    assert sent == _AHEAD
     browser._handle_msg({"shown": 1})
     assert browser.is_ready
 
@@ -22,7 +22,7 @@ def test_a_browser_that_says_nothing_gets_a_frame_now_and_then(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     browser = Browser()
-    for _ in range(5):
+    for _ in range(_AHEAD):
         browser.send_frame()
     assert not browser.is_ready
     monkeypatch.setattr(browser, "_sent", browser._sent - 2.0)

@@ -56,3 +56,20 @@ def test_the_same_again_is_no_change() -> None:
     history = History(_state(0))
     history.add(_state(0), "loading.rate", now=0.0)
     assert not history.can_undo
+
+
+def test_presets_that_follow_each_other_fast_are_changes_of_their_own() -> None:
+    history = History(_state(0))
+    history.add(_state(1), "", now=0.0)
+    history.add(_state(2), "", now=0.1)
+    assert [history.undo(), history.undo()] == [_state(1), _state(0)]
+
+
+def test_changes_made_as_one_are_undone_at_once() -> None:
+    history = History(_state(0))
+    history.add(_state(1), "loading.rate", now=0.0)
+    with history.as_one():
+        history.add(_state(2), "", now=0.1)
+        history.add(_state(3), "loading.rate", now=0.2)
+    history.add(_state(4), "loading.rate", now=0.3)
+    assert [history.undo(), history.undo(), history.undo()] == [_state(3), _state(1), _state(0)]

@@ -36,12 +36,12 @@ def player() -> Watched:
 
 def test_it_follows_a_run_until_it_is_scrubbed_and_then_stays(player: Watched) -> None:
     assert player.step is None
-    assert player.root.state["label"] == "step 199 of 341, 3.98 ms, 119 µm"
+    assert player.root.state["label"] == "step 200 of 342, 3.98 ms, 119 µm"
     player.ask(do="scrub", step=120)
     assert (player.step, player.changes) == (120, 1)
     player.update(230, 342, COLUMNS)
     assert player.step == 120
-    assert player.root.state["label"] == "step 120 of 341, 2.40 ms, 72.0 µm"
+    assert player.root.state["label"] == "step 121 of 342, 2.40 ms, 72.0 µm"
     assert (player.root.state["count"], player.root.state["step"]) == (230, 120)
     player.ask(do="newest")
     assert (player.step, player.root.state["step"]) == (None, -1)
@@ -112,7 +112,7 @@ def test_a_replay_that_catches_up_with_a_run_goes_on_live(player: Watched) -> No
     player.tick(1.0)
     assert (player.step, player.playing) == (None, False)
     player.update(201, 342, COLUMNS)
-    assert player.root.state["label"].startswith("step 200 ")
+    assert player.root.state["label"].startswith("step 201 ")
 
 
 def test_ticks_without_another_step_change_nothing(player: Watched) -> None:

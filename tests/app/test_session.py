@@ -14,6 +14,7 @@ from app.limits import Limits
 from app.phase import Phase
 from app.session import Session
 from app.views import inputs, trace
+from app.views.style import DESK, HALL
 from tyrecontact import Scenario, presets
 
 
@@ -228,9 +229,9 @@ def test_presentation_mode_enlarges_the_type_and_goes_back(session: Session) -> 
     told: list[bool] = []
     session.on_present = told.append
     session.browser.on_key("p")
-    assert session.live.force.root.title.text_font_size == "24px"
+    assert session.live.force.root.title.text_font_size == f"{HALL.title}px"
     session.browser.on_key("p")
-    assert session.live.force.root.title.text_font_size == "14px"
+    assert session.live.force.root.title.text_font_size == f"{DESK.title}px"
     assert told == [True, False]
 
 

@@ -102,7 +102,7 @@ def test_a_preset_is_called_by_its_name() -> None:
     [
         ("loading.max_indentation", 0.2e-3, "0.2 mm"),
         ("loading.acceleration", 9.0, "9 m/s²"),
-        ("numerics.tolerance", 1e-10, "1e-10"),
+        ("numerics.tolerance", 1e-10, "1e−10"),
         ("springs.exchange_count", 80, "80 springs"),
         ("road.file", "/srv/private/scan.npy", "scan.npy"),
         ("tread.layers", [], "none"),

@@ -28,6 +28,16 @@ def test_a_lesson_puts_each_of_its_scenarios_into_the_form(session: Session, nam
     assert session.teaching.card.lesson is None
 
 
+def test_a_step_of_a_lesson_is_undone_at_once(session: Session) -> None:
+    lesson = next(one for one in lessons().values() if one.scenario(0)[1])
+    before = session.controls.scenario.to_dict()
+    session.teaching.begin(lesson.name)
+    assert session.controls.scenario.to_dict() != before
+    session.controls.undo()
+    assert session.controls.scenario.to_dict() == before
+    assert not session.controls.history.can_undo
+
+
 def test_a_lesson_frames_the_plot_it_speaks_of_until_it_is_over(session: Session) -> None:
     session.teaching.begin(next(iter(lessons())))
     session.teaching._point("force")

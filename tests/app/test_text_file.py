@@ -8,6 +8,9 @@ import pytest
 
 from app import text_file
 from app.text_file import TextFile
+from tyrecontact import loading
+from tyrecontact.errors import InputError
+from tyrecontact.tread import tabulated
 
 
 @pytest.fixture
@@ -24,13 +27,14 @@ def _bring(file: TextFile, content: bytes, name: str) -> None:
     file.root.param.update(filename=name, value=content)
 
 
-def test_a_file_is_kept_under_a_name_of_the_servers_and_removed_at_the_end(
+def test_a_file_is_kept_in_a_folder_of_its_own_and_removed_at_the_end(
     taken: list[str], refused: list[str]
 ) -> None:
     file = TextFile("Loading table", taken.append, refused.append)
     _bring(file, b"0 0\n1 1e-4\n", "../../my table.csv")
     assert Path(taken[0]).read_bytes() == b"0 0\n1 1e-4\n"
-    assert Path(taken[0]).name == "table-1.txt"
+    assert Path(taken[0]).name == "my table.csv"
+    assert Path(taken[0]).parent.name == "1"
     file.show(taken[0])
     assert file.name == "../../my table.csv"
     file.close()
@@ -81,3 +85,34 @@ def test_a_file_that_is_too_large_is_refused_in_a_sentence(
     _bring(TextFile("Loading table", taken.append, refused.append), b"x" * 11, "a.txt")
     assert taken == []
     assert refused == ["Loading table must have at most 0 MB, got 0 MB"]
+
+
+@pytest.mark.parametrize(
+    ("name", "kept"),
+    [
+        ("..", "table.txt"), ("a/..\\..", "table.txt"), ("/etc/passwd", "passwd"),
+        ("", "table.txt"), ("a b.txt. ", "a b.txt"),
+        ("Prüf (2).csv", "Prüf (2).csv"), ("a\0b\n<c>.txt", "a_b__c_.txt"), ("ü" * 300, "ü" * 60),
+    ],
+)  # fmt: skip
+def test_a_name_leads_nowhere_else(
+    name: str, kept: str, taken: list[str], refused: list[str]
+) -> None:
+    file = TextFile("Loading table", taken.append, refused.append)
+    _bring(file, b"0 0\n", name)
+    assert Path(taken[0]).name == kept
+    assert Path(taken[0]).is_file()
+    assert len(Path(taken[0]).relative_to(file._folder.name).parts) == 2
+    file.close()
+
+
+def test_what_is_wrong_with_a_file_is_said_of_the_visitors_name(
+    taken: list[str], refused: list[str]
+) -> None:
+    file = TextFile("A table", taken.append, refused.append)
+    _bring(file, b"no numbers", "my table.csv")
+    for read in (loading.read_table, tabulated.read_table):
+        with pytest.raises(InputError, match=r"got my table\.csv") as caught:
+            read(taken[0])
+        assert file._folder.name not in str(caught.value)
+    file.close()

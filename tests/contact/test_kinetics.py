@@ -180,5 +180,5 @@ def test_impossible_numbers_are_refused() -> None:
         BondKinetics(-1, 1, 1)
     with pytest.raises(InputError, match="unbinding_rate must not be negative, got nan 1/s"):
         BondKinetics(1, np.nan, 1)
-    with pytest.raises(InputError, match="work_of_adhesion must not be negative, got -1 J/m2"):
+    with pytest.raises(InputError, match="work_of_adhesion must not be negative, got -1 J/m²"):
         RecedingContact(-1, 0, 1, 1, 1)

@@ -148,7 +148,7 @@ class RecedingContact:
     crack_exponent: float
 
     def __post_init__(self) -> None:
-        require_not_negative("work_of_adhesion", self.work_of_adhesion, "J/m2")
+        require_not_negative("work_of_adhesion", self.work_of_adhesion, "J/m²")
 
     def interface(self, springs: Springs, bonds: Bonds) -> Interface:
         if self.work_of_adhesion == 0:

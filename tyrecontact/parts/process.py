@@ -24,7 +24,7 @@ class Loading(Part):
     table = Text("", "Text file of the user's own profile: time [s], indentation [m] or force [N]")
     max_indentation = Quantity(0.2e-3, (1e-6, 2e-3), "m", "Largest indentation", _MM)
     rate = Quantity(0.03, (1e-4, 10.0), "m/s", "Rate of loading (linear, load-hold-unload)", _RATE)
-    acceleration = Quantity(9.0, (1e-3, 1e5), "m/s2", "Acceleration (quadratic); 2 C of the thesis")
+    acceleration = Quantity(9.0, (1e-3, 1e5), "m/s²", "Acceleration (quadratic); 2 C of the thesis")
     period = Quantity(20e-3, (1e-5, 10.0), "s", "Period (sinusoidal)", _MS)
     hold_time = Quantity(2e-3, (0.0, 1e6), "s", "Time at the largest indentation or force", _MS)
     unloading_rate = Quantity(0.003, (1e-5, 10.0), "m/s", "Rate of unloading", _RATE)
@@ -65,8 +65,8 @@ class Adhesion(Part):
         0.6, (0.0, 2.0), "", "Growth of the release force with the largest area (multiplicative)"
     )
     reference_area = Quantity(
-        1e-6, (1e-12, 1e-3), "m2",
-        "Area at which that factor is one (multiplicative): an element of 1 mm", ("mm2", 1e6),
+        1e-6, (1e-12, 1e-3), "m²",
+        "Area at which that factor is one (multiplicative): an element of 1 mm", ("mm²", 1e6),
     )  # fmt: skip
     ageing = Quantity(
         0.08, (0.0, 10.0), "", "Growth with the log of contact age (multiplicative, receding)"
@@ -84,7 +84,7 @@ class Adhesion(Part):
     binding_rate = Quantity(10.0, (0.0, 1e6), "1/s", "Rate at which bonds form (bonds)")
     unbinding_rate = Quantity(0.5, (0.0, 1e6), "1/s", "Rate at which unloaded bonds break (bonds)")
     work_of_adhesion = Quantity(
-        0.05, (0.0, 100.0), "J/m2", "At rest and young (receding contact); 0: no adhesion"
+        0.05, (0.0, 100.0), "J/m²", "At rest and young (receding contact); 0: no adhesion"
     )
     crack_exponent = Quantity(
         0.55, (0.1, 2.0), "", "Gent and Schultz' exponent n (receding contact)"

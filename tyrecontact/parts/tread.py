@@ -16,7 +16,7 @@ class Layer(Part):
     """One table of `tread.layers`: what every layer has, and the parameters of its material."""
 
     thickness = Quantity(10e-3, (1e-6, 0.2), "m", "Thickness")
-    density = Quantity(1300.0, (1.0, 3e4), "kg/m3", "Density")
+    density = Quantity(1300.0, (1.0, 3e4), "kg/m³", "Density")
     poissons_ratio = Quantity(0.499, (-0.9, 0.4999), "", "Poisson's ratio")
     material = Choice(
         "fractional-kelvin-voigt",
@@ -77,12 +77,12 @@ class Tread(Part):
         3.717e-6, (1e-12, 1.0), "s", "Time constant of the fractional laws", ("µs", 1e6)
     )
     poissons_ratio = Quantity(0.499, (-0.9, 0.4999), "", "Poisson's ratio of the tread")
-    density = Quantity(1300.0, (1.0, 3e4), "kg/m3", "Density of the tread")
+    density = Quantity(1300.0, (1.0, 3e4), "kg/m³", "Density of the tread")
     thickness = Quantity(10e-3, (0.1e-3, 0.2), "m", "Thickness of the tread", _MM)
     base_modulus = Quantity(72e9, (1e5, 1e13), "Pa", "Young's modulus of the base", ("GPa", 1e-9))
     base_loss_factor = Quantity(5e-5, (0.0, 0.09), "", "Loss factor of the base", ("1e-5", 1e5))
     base_poissons_ratio = Quantity(0.33, (-0.9, 0.4999), "", "Poisson's ratio of the base")
-    base_density = Quantity(2700.0, (1.0, 3e4), "kg/m3", "Density of the base")
+    base_density = Quantity(2700.0, (1.0, 3e4), "kg/m³", "Density of the base")
     base_thickness = Quantity(3e-3, (1e-5, 0.2), "m", "Thickness of the base", _MM)
     layers = Tables(
         "layer",

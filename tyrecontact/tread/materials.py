@@ -147,7 +147,7 @@ class Layer:
 
     def __post_init__(self) -> None:
         _require_positive(self.thickness, "thickness of a layer", "m")
-        _require_positive(self.density, "density of a layer", "kg/m3")
+        _require_positive(self.density, "density of a layer", "kg/m³")
         if not -1 < self.poissons_ratio < 0.5:
             raise InputError(f"poissons_ratio must lie in (-1, 0.5), got {self.poissons_ratio}")
 

@@ -100,25 +100,26 @@ def read_table(path: str | Path) -> Tabulated:
     ------
     InputError : a file that cannot be read, is no such table, or is larger than 2 MB.
     """
+    name = Path(path).name
     try:
         with Path(path).open("rb") as file:
             content = file.read(_MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise InputError(f"modulus table must be readable, got {path}: {reason}") from None
+        raise InputError(f"modulus table must be readable, got {name}: {reason}") from None
     if len(content) > _MAX_BYTES:
-        raise InputError(f"modulus table must be at most 2 MB, got more in {path}")
+        raise InputError(f"modulus table must be at most 2 MB, got more in {name}")
     try:
         lines = content.decode("utf-8-sig").replace(",", " ").splitlines()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of an empty table, which is refused below
             rows = np.loadtxt(lines, ndmin=2)
     except ValueError as error:
-        raise InputError(f"modulus table must hold numbers, got {path}: {error}") from None
+        raise InputError(f"modulus table must hold numbers, got {name}: {error}") from None
     if rows.shape[1] != 3:
         raise InputError(
             "modulus table must have three columns, frequency [Hz], storage modulus [Pa] and "
-            f"loss factor, got {rows.shape[1] if rows.size else 0} in {path}"
+            f"loss factor, got {rows.shape[1] if rows.size else 0} in {name}"
         )
     frequency, storage, loss = (tuple(column) for column in rows.T.tolist())
     return Tabulated(frequency, storage, loss)

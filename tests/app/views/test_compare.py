@@ -131,7 +131,7 @@ def test_what_is_redrawn_is_drawn_in_place(pair: Shelf, finished: Run) -> None:
     assert view.drawn is not drawn
     assert all(a is b for a, b in zip(view._grid.objects, places, strict=True))
     view.show(finished, HALL)
-    assert "font-size:24px" in view.words.object
+    assert f"font-size:{HALL.title}px" in view.words.object
     assert view._grid.objects[0] is not places[0]
 
 

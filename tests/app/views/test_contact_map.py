@@ -73,7 +73,7 @@ def test_a_small_pull_is_seen_beside_a_big_push(finished: Run, view: ContactMapV
     assert view.scale.low == pytest.approx(-0.1)  # 1.5 times that, as a short number: 0.09
     assert drawn(view, "shown")[2, 4] == pytest.approx(-0.6)
     labels = view.drawing.bar.major_label_overrides
-    assert labels == {-1: "-0.1", -0.5: "-0.05", 0: "0", 0.5: "1.5", 1: "3"}
+    assert labels == {-1: "−0.1", -0.5: "−0.05", 0: "0", 0.5: "1.5", 1: "3"}
 
 
 def test_the_limits_of_a_run_hold_and_what_is_beyond_is_counted(
@@ -128,7 +128,7 @@ def test_every_mode_draws_its_quantity_in_its_unit(
     else:
         np.testing.assert_allclose(drawn(view)[touching], expected[name][touching], rtol=1e-5)
         assert np.nanmax(drawn(view, "shown")) <= 1
-    assert view.root.title.text.startswith(f"{MODES[name].title}, step 51, ")
+    assert view.root.title.text.startswith(f"{MODES[name].title}, step 52, ")
     assert view.drawing.unit == MODES[name].unit
 
 
@@ -183,10 +183,24 @@ def test_the_followed_element_is_framed(view: ContactMapView) -> None:
 def test_in_the_lecture_hall_type_is_larger(view: ContactMapView) -> None:
     desk = view.root.aspect_ratio
     view.enlarge(HALL)
-    assert view.root.title.text_font_size == "24px"
-    assert view.drawing.bar.major_label_text_font_size == "19px"
+    assert view.root.title.text_font_size == f"{HALL.title}px"
+    assert view.drawing.bar.major_label_text_font_size == f"{HALL.tick}px"
     view.enlarge(DESK)
     assert view.root.aspect_ratio == desk
+
+
+def test_a_large_title_has_two_lines_so_that_it_is_not_cut(
+    view: ContactMapView, finished: Run
+) -> None:
+    show_last(view, finished)
+    view.enlarge(HALL)
+    assert view.root.title.text.startswith("Force [N]\nstep 52, ")
+    view.show_mode("age")
+    assert view.root.title.text.startswith("Time in contact [ms]\nstep 52, ")
+    view.clear()
+    assert view.root.title.text.split("\n") == ["Time in contact [ms]", " "]
+    view.enlarge(DESK)
+    assert view.root.title.text == "Time in contact [ms]"
 
 
 def test_the_map_shows_the_nearest_step_whose_fields_are_kept(small: Scenario) -> None:
@@ -204,4 +218,4 @@ def test_the_map_shows_the_nearest_step_whose_fields_are_kept(small: Scenario) -
         assert pressed.any()
         np.testing.assert_allclose(drawn(view)[pressed], whole[shown][pressed], rtol=1e-6)
         assert np.isnan(drawn(view)[~pressed]).all()
-        assert f"step {shown}," in view.root.title.text
+        assert f"step {shown + 1}," in view.root.title.text

@@ -8,7 +8,7 @@ import pytest
 from app.runner import Run
 from app.views.element import ElementView
 from app.views.element_words import INVITATION, say
-from app.views.style import HALL, horizontal
+from app.views.style import DESK, HALL, horizontal
 from tyrecontact import Scenario
 from tyrecontact.contact.bonds import ElementState
 
@@ -33,20 +33,10 @@ def hardest(run: Run, step: int = -1) -> tuple[int, int]:
 def test_nothing_is_made_before_an_element_is_followed(finished: Run) -> None:
     view = ElementView()
     assert view.sentence == INVITATION
-    view.follow(1, 1)  # there is no run yet
     view.prepare(finished)
     view.update(finished, 3, ended=False)
     assert (view.element, view.forces, view.chooser) == (None, None, None)
     assert len(view.root) == 2  # words, and the offer to choose
-
-
-def test_who_has_no_pointer_is_offered_a_choice(finished: Run) -> None:
-    view = ElementView()
-    view.prepare(finished)
-    view.offer.clicks += 1
-    assert view.offer not in list(view.root)
-    view.chooser.row.value = 4
-    assert view.element == (4, 0)
 
 
 def test_history_and_working_point_are_those_of_the_element(
@@ -218,7 +208,7 @@ def test_axis_type_and_theme_reach_plots_made_before_and_after(finished: Run) ->
     view.follow(1, 1)
     assert view.forces.history.xaxis[0].axis_label == "Time [ms]"
     assert view.forces.spring.xaxis[0].axis_label == "Compression [µm]"
-    assert view.forces.history.title.text_font_size == "24px"
+    assert view.forces.history.title.text_font_size == f"{HALL.title}px"
     dark = view.forces.path, view.forces._lines[0].glyph.line_color
     view.darken(False)
     assert view.forces._lines[0].glyph.line_color != dark[1]
@@ -248,3 +238,10 @@ def test_the_sentence_says_what_the_element_does(
               "contact_area": 0.38e-6}  # fmt: skip
     fields = {name: np.full((8, 13), value) for name, value in values.items()}
     assert say(7, 12, fields, 1e-6) == f"Element row 7, column 12: {said}."
+
+
+def test_the_small_scale_is_a_square_whatever_the_size_of_type(view: ElementView) -> None:
+    for size in (HALL, DESK):
+        view.enlarge(size)
+        assert view.heights.root.frame_width == view.heights.root.frame_height
+    assert not view.heights.root.match_aspect  # a wider frame would show what is not there

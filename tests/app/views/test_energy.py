@@ -11,7 +11,7 @@ from app.views.energy import EnergyView, joules
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [(3.2e-3, "3.20 mJ"), (0.0, "0 J"), (-2.41, "-2.41 J"), (4.56e-7, "456 nJ"), (1e-25, "0 J")],
+    [(3.2e-3, "3.20 mJ"), (0.0, "0 J"), (-2.41, "−2.41 J"), (4.56e-7, "456 nJ"), (1e-25, "0 J")],
 )
 def test_energies_have_three_digits_and_a_prefix(value: float, text: str) -> None:
     assert joules(value) == text

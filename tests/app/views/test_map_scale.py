@@ -22,7 +22,7 @@ def test_each_half_is_linear_by_itself_and_labelled_so() -> None:
     placed = scale.place(np.array([-0.6, -0.3, 0.0, 5.0, 10.0, np.nan]))
     np.testing.assert_allclose(placed, [-1, -0.5, 0, 0.5, 1, np.nan])
     for at, label in scale.ticks.items():
-        assert scale.place(np.array([float(label)]))[0] == pytest.approx(at)
+        assert scale.place(np.array([float(label.replace("−", "-"))]))[0] == pytest.approx(at)
     assert len(scale.palette) == 512
 
 

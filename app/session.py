@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable
 from typing import Any
+from weakref import WeakMethod
 
 import panel as pn
 
@@ -190,7 +191,7 @@ class Session:
     def _start_clock(self) -> None:
         # Bokeh's own: Panel's counts every tick as the page being busy, and tells the page
         if self._clock is None and self._document is not None:
-            self._clock = self._document.add_periodic_callback(self.frame, FRAME)
+            self._clock = self._document.add_periodic_callback(_weakly(self.frame), FRAME)
 
     def _stop_clock(self) -> None:
         if self._clock is not None and self._document is not None:
@@ -241,6 +242,17 @@ class Session:
             button.on_click(_pressing(action))
         self.browser.on_key = self._pressed
         self.header.preset.label = self.controls.preset
+
+
+def _weakly(method: Callable[[], None]) -> Callable[[], None]:
+    # a document that is gone keeps its callbacks, and Panel may keep the document
+    known = WeakMethod(method)
+
+    def call() -> None:
+        if (found := known()) is not None:
+            found()
+
+    return call
 
 
 def _pressing(action: Callable[[], None]) -> Callable[[Any], None]:

@@ -34,18 +34,12 @@ def changes(preset: str, scenario: Scenario) -> dict[str, Any]:
     return {path: value for path, _, value in scenario.settings() if value != base[path]}
 
 
-def without_folders(scenario: Scenario, names: Mapping[str, str] | None = None) -> Scenario:
-    """A copy whose files go by their names alone: the server's folders are nobody else's.
-
-    Parameters
-    ----------
-    scenario : what was asked.
-    names : path of a setting -> name that its file had where it came from.
-    """
+def without_folders(scenario: Scenario) -> Scenario:
+    """A copy whose files go by their names alone: the server's folders are nobody else's."""
     copy = scenario.copy()
     for path, parameter, value in scenario.settings():
         if isinstance(parameter, Text) and value:
-            copy.set(path, (names or {}).get(path) or _name(value))
+            copy.set(path, _name(value))
     copy.tread.layers = [
         {**layer, **({"modulus_table": _name(table)} if (table := _table(layer)) else {})}
         for layer in scenario.tread.layers

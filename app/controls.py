@@ -122,12 +122,6 @@ class Controls:
         self._show(values)
         self._tell(values)
 
-    @property
-    def file_names(self) -> dict[str, str]:
-        """Path of a setting -> name that the visitor's file had."""
-        names = {path: file.name for path, file in self.text_files.items() if file.name}
-        return {**names, "road.file": self.road_file.name} if self.road_file.name else names
-
     def restore(self, path: str) -> None:
         """Take the preset's value of a setting."""
         self.change(path, getattr(self._plain.find(path)[0], _name(path)))

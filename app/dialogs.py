@@ -94,7 +94,7 @@ class Dialogs:
             )
 
         self._browser.on_copied = copied
-        self._downloads.show(*self._run(), controls.file_names)
+        self._downloads.show(*self._run())
         self._open("Share and download", "md", entry, copy, note, self._downloads.root)
 
     def _chosen(self, name: str) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Mapping
 from csv import writer
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -28,19 +27,20 @@ def file_name(preset: str, ending: str, when: datetime | None = None) -> str:
     return f"{stem(preset)}-{moment:%Y%m%d-%H%M%S}.{ending}"
 
 
-def netcdf(results: Results, names: Mapping[str, str] | None = None) -> bytes:
+def netcdf(results: Results) -> bytes:
     """What `tyrecontact run --output` writes, numbers and maps (netCDF 3, read by all).
+
+    No folder of the server is told.
 
     Parameters
     ----------
     results : of a run, complete or not.
-    names : path of a setting -> name that its file had where it came from; no folder is told.
     """
-    told = replace(results, scenario=code.without_folders(results.scenario, names))
+    told = replace(results, scenario=code.without_folders(results.scenario))
     return bytes(told.to_xarray().to_netcdf(engine="scipy"))
 
 
-def csv(preset: str, results: Results, names: Mapping[str, str] | None = None) -> str:
+def csv(preset: str, results: Results) -> str:
     """Numbers of every step, a row each, to the last digit.
 
     The first line names the columns with their units, "contact_force [N]". Meanings and scenario
@@ -59,7 +59,7 @@ def csv(preset: str, results: Results, names: Mapping[str, str] | None = None) -
     table = writer(file, lineterminator="\n")
     table.writerow(columns)
     table.writerows(zip(*(column.tolist() for column in columns.values()), strict=True))
-    scenario = code.without_folders(results.scenario, names)
+    scenario = code.without_folders(results.scenario)
     notes += [f"The run: {results.stop_reason}", "The scenario, for tyrecontact run FILE.toml:"]
     notes += code.toml(preset, scenario).splitlines()
     return file.getvalue() + "".join(f"# {note}".rstrip() + "\n" for note in notes)

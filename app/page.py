@@ -7,8 +7,6 @@ from typing import Any
 
 import panel as pn
 import panel_material_ui as pmui
-from panel.io.document import with_lock
-from panel.reactive import Syncable
 
 from .limits import sessions
 from .session import Session
@@ -24,11 +22,6 @@ _THEME = {
     "light": {"palette": {"primary": {"main": "#0B5C8A"}}, "components": _PARTS},
     "dark": {"palette": {"primary": {"main": "#6CB8E6"}}, "components": _PARTS},
 }
-# Panel takes a press, and with it any change of the last 50 ms, without the document's lock, which
-# every change of a plot needs
-Syncable._event_coroutine = with_lock(  # type: ignore[method-assign]
-    Syncable._event_coroutine
-)
 #: below this width [px] the sidebar would cover the page
 _PHONE = 600
 
@@ -97,6 +90,7 @@ def _present(page: pmui.Page, large: bool) -> None:
 
 def _make_room(page: pmui.Page, session: Session, width: int) -> None:
     """In a narrow window the plots first, as on a phone that said so when it asked."""
+    session.browser.on_width = lambda _: None  # once: a window that is resized keeps its sidebar
     if width < _PHONE and not _on_a_phone():
         page.param.update(sidebar_open=False, sidebar=_sidebar(session, phone=True))
 

@@ -14,6 +14,7 @@ import panel_material_ui as pmui
 
 from tyrecontact.parts.road import Road
 
+from .file_names import harmless
 from .latest import Latest
 from .road_dialog import SETTINGS, RoadDialog
 from .road_reading import Look, Reading
@@ -115,12 +116,14 @@ class RoadFile:
             self._folder.cleanup()
             self._folder = None
 
-    def _place(self, ending: str) -> Path:
-        """Where a file is written; only the ending is taken from the visitor's name."""
+    def _place(self, name: str, ending: str) -> Path:
+        """Where a file is written, in a folder of its own: runs and tables tell its name."""
         self._drop()
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
-        return Path(self._folder.name) / f"road-{next(self._numbers)}{ending}"
+        path = Path(self._folder.name) / str(next(self._numbers)) / harmless(name, ending, "road")
+        path.parent.mkdir()
+        return path
 
     def _say(self, sentence: str) -> None:
         self.status.object = line(sentence)

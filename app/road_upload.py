@@ -22,7 +22,7 @@ class Upload(pmui.FileInput):
 
     Parameters
     ----------
-    place : gives an empty path for a file with such an ending.
+    place : gives an empty path for a file of such a name and ending.
     tell : called with a sentence on how far it is.
     done : called with the path and the visitor's name of a file that is there.
     refuse : called with the name and one sentence about a file that is not taken.
@@ -30,7 +30,7 @@ class Upload(pmui.FileInput):
 
     def __init__(
         self,
-        place: Callable[[str], Path],
+        place: Callable[[str, str], Path],
         tell: Callable[[str], None],
         done: Callable[[Path, str], None],
         refuse: Callable[[str, str], None],
@@ -110,7 +110,7 @@ class Upload(pmui.FileInput):
         ending = scans.require_known(name)
         limits().check_upload((pieces - 1) * _PIECE + 1)
         self._name, self._pieces = name, pieces
-        self._path = self._place(ending)
+        self._path = self._place(name, ending)
         self._file = self._path.open("wb")
 
     def _append(self, piece: bytes, number: int) -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable
 from typing import Any
-from weakref import WeakMethod
 
 import panel as pn
 
 from tyrecontact.errors import InputError
 
 from . import keyboard, links
+from .answering import pressing, weakly
 from .browser import Browser
 from .controls import Controls
 from .dialogs import Dialogs
@@ -112,7 +112,9 @@ class Session:
             self._run_now()
         elif not self._waiting:
             self._waiting = True
-            self._document.add_timeout_callback(self._run_now, round(1e3 * max(wait, 0.0)) + 1)
+            self._document.add_timeout_callback(
+                weakly(self._run_now), round(1e3 * max(wait, 0.0)) + 1
+            )
 
     def load_preset(self, name: str) -> None:
         """Put a preset into the form."""
@@ -191,7 +193,7 @@ class Session:
     def _start_clock(self) -> None:
         # Bokeh's own: Panel's counts every tick as the page being busy, and tells the page
         if self._clock is None and self._document is not None:
-            self._clock = self._document.add_periodic_callback(_weakly(self.frame), FRAME)
+            self._clock = self._document.add_periodic_callback(weakly(self.frame), FRAME)
 
     def _stop_clock(self) -> None:
         if self._clock is not None and self._document is not None:
@@ -239,22 +241,6 @@ class Session:
             (self.header.present, self.present), (self.header.help, self.dialogs.help),
             (self.live.pin, self.pin),
         ):  # fmt: skip
-            button.on_click(_pressing(action))
+            button.on_click(pressing(action))
         self.browser.on_key = self._pressed
         self.header.preset.label = self.controls.preset
-
-
-def _weakly(method: Callable[[], None]) -> Callable[[], None]:
-    # a document that is gone keeps its callbacks, and Panel may keep the document
-    known = WeakMethod(method)
-
-    def call() -> None:
-        if (found := known()) is not None:
-            found()
-
-    return call
-
-
-def _pressing(action: Callable[[], None]) -> Callable[[Any], None]:
-    # what a press changes while the page is still being loaded may never reach the browser
-    return lambda _: pn.state.onload(action)

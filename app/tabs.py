@@ -156,4 +156,4 @@ class CodeTab:
 
     def show(self, run: Run | None, size: Size = DESK) -> None:
         controls = self._controls
-        self._view.show_scenario(controls.preset, controls.scenario, size, controls.file_names)
+        self._view.show_scenario(controls.preset, controls.scenario, size)

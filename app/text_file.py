@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 import tempfile
 from collections.abc import Callable
@@ -12,6 +11,8 @@ from typing import Any
 
 import panel_material_ui as pmui
 import param
+
+from .file_names import harmless
 
 #: a table with more bytes than this is no table
 MAX_BYTES = 8_000_000
@@ -86,7 +87,7 @@ class TextFile:
             self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
         name = str(self.root.filename or "table.txt")
         # what is wrong with a file is said of the name that it has here
-        path = Path(self._folder.name) / str(next(self._numbers)) / _harmless(name)
+        path = Path(self._folder.name) / str(next(self._numbers)) / harmless(name, "", "table.txt")
         path.parent.mkdir()
         path.write_bytes(content)
         self._names[str(path)] = name
@@ -127,12 +128,6 @@ class SmallFile(pmui.FileInput):
             case _:
                 return
         super()._handle_msg(msg)
-
-
-def _harmless(name: str) -> str:
-    """A visitor's name of a file, as far as it can be one on the server: no folder, no signs."""
-    kept = re.sub(r"[^\w .()+-]", "_", re.split(r"[/\\]", name)[-1])
-    return kept.strip(" .")[-60:].strip(" .") or "table.txt"
 
 
 def _too_large(title: str, size: int) -> str:

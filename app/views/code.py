@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from html import escape
 from pathlib import Path
 
@@ -47,22 +46,15 @@ class CodeView:
         self._preset = "default"
         self._shown: tuple[str, dict, Size] | None = None
 
-    def show_scenario(
-        self,
-        preset: str,
-        scenario: Scenario,
-        size: Size = DESK,
-        names: Mapping[str, str] | None = None,
-    ) -> None:
+    def show_scenario(self, preset: str, scenario: Scenario, size: Size = DESK) -> None:
         """Show the code of a scenario.
 
         Parameters
         ----------
         preset, scenario : that the form says now.
         size : of the type.
-        names : path of a setting -> name that the visitor's file had.
         """
-        bare = code.without_folders(scenario, names)
+        bare = code.without_folders(scenario)
         wanted = (preset, bare.to_dict(), size)
         if wanted == self._shown:
             return

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 
@@ -28,18 +27,16 @@ class Downloads:
         self.pictures: dict[str, pmui.Button] = {}
         self._preset = "default"
         self._run: Run | None = None
-        self._names: dict[str, str] = {}
 
-    def show(self, preset: str, run: Run | None, names: Mapping[str, str] | None = None) -> None:
+    def show(self, preset: str, run: Run | None) -> None:
         """Offer the files of a run.
 
         Parameters
         ----------
         preset : that the scenario of the run came from.
         run : on show, or None before the first.
-        names : path of a setting -> name that the visitor's file had.
         """
-        self._preset, self._run, self._names = preset, run, dict(names or {})
+        self._preset, self._run = preset, run
         if not self.files:
             self._build()
         count = run.record.count if run is not None and run.record is not None else 0
@@ -54,10 +51,10 @@ class Downloads:
         results = self._results()
         name = exports.file_name(self._preset, ending)
         if ending == "nc":
-            return name, exports.netcdf(results, self._names)
+            return name, exports.netcdf(results)
         if ending == "csv":
-            return name, exports.csv(self._preset, results, self._names).encode()
-        bare = code.without_folders(results.scenario, self._names)
+            return name, exports.csv(self._preset, results).encode()
+        bare = code.without_folders(results.scenario)
         return name, code.toml(self._preset, bare).encode()
 
     def _results(self) -> Results:

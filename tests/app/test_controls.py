@@ -197,12 +197,12 @@ def test_undo_finds_the_file_before_and_its_name(controls: Controls) -> None:
     first = controls.value("loading.table")
     controls.change("loading.rate", 0.2)
     file.root.param.update(filename="b.txt", value=b"0 0\n1 2e-4\n")
-    assert controls.file_names == {"loading.table": "b.txt"}
+    assert file.name == "b.txt"
     controls.undo()
     assert controls.value("loading.table") == first
     assert Path(first).exists()
-    assert controls.file_names == {"loading.table": "a.txt"}
+    assert file.name == "a.txt"
     controls.reset()
-    assert controls.file_names == {}
+    assert file.name == ""
     controls.close()
     assert not Path(first).exists()

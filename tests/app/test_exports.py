@@ -85,13 +85,13 @@ def test_a_run_that_was_stopped_before_its_first_step_has_a_head_and_no_rows(
 
 def test_no_folder_of_the_server_is_told(results: Results) -> None:
     scenario = results.scenario.copy()
-    scenario.road.file = "/tmp/secret/road.npy"
-    own, names = replace(results, scenario=scenario), {"road.file": "A12.npy"}
+    scenario.road.file = "/tmp/secret/A12.npy"
+    own = replace(results, scenario=scenario)
     assert "secret" not in exports.csv("default", own)
-    assert 'file = "A12.npy"' in exports.csv("default", own, names)
+    assert 'file = "A12.npy"' in exports.csv("default", own)
     assert b"secret" not in exports.netcdf(own)
-    assert b"A12.npy" in exports.netcdf(own, names)
-    assert own.scenario.road.file == "/tmp/secret/road.npy"
+    assert b"A12.npy" in exports.netcdf(own)
+    assert own.scenario.road.file == "/tmp/secret/A12.npy"
 
 
 def test_names_of_files_say_what_and_when() -> None:

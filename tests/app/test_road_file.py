@@ -62,7 +62,7 @@ class Taken:
     @property
     def files(self) -> list[Path]:
         folder = self.control._folder
-        return sorted(Path(folder.name).iterdir()) if folder else []
+        return sorted(Path(folder.name).glob("*/*")) if folder else []
 
 
 @pytest.fixture
@@ -135,7 +135,7 @@ def test_cancel_leaves_the_road_in_use_and_nothing_on_disk(taken: Taken) -> None
     taken.control.use()
     taken.upload("other.npy", npy(road()))
     taken.control.cancel()
-    assert [file.name for file in taken.files] == ["road-1.npy"]
+    assert [file.name for file in taken.files] == ["my road.npy"]
     assert len(taken.roads) == 1
     assert "my road.npy" in taken.control.status.object
 
@@ -206,7 +206,9 @@ def test_a_visitors_file_name_is_shown_as_it_is_and_never_used_as_a_path(taken: 
     name = "../../<img src=x onerror=alert(1)>.npy"
     bring(taken, name)
     taken.control.use()
-    assert Path(taken.roads[-1]["road.file"]).name == "road-1.npy"
+    kept = Path(taken.roads[-1]["road.file"])
+    assert kept.name == "_img src_x onerror_alert(1)_.npy"
+    assert kept.is_relative_to(taken.control._folder.name)
     assert "<img" not in taken.control.status.object
     assert "&lt;img" in taken.control.status.object
 

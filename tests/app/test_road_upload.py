@@ -20,7 +20,7 @@ class Receiver:
         self.done: list[tuple[Path, str]] = []
         self.refused: list[str] = []
         self.upload = Upload(
-            lambda ending: folder / f"road{ending}",
+            lambda _, ending: folder / f"road{ending}",
             self.told.append,
             lambda path, name: self.done.append((path, name)),
             lambda _, sentence: self.refused.append(sentence),
@@ -98,7 +98,7 @@ def test_what_makes_no_sense_is_passed_over(receiver: Receiver) -> None:
 def test_nothing_stays_on_disk_of_one_that_another_follows(tmp_path: Path, begun: bool) -> None:
     numbers = iter(range(9))
     upload = Upload(
-        lambda ending: tmp_path / f"{next(numbers)}{ending}", print, lambda *_: None, print
+        lambda _, ending: tmp_path / f"{next(numbers)}{ending}", print, lambda *_: None, print
     )
     for _ in range(3):
         if begun:

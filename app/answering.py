@@ -1,0 +1,35 @@
+"""How what a visitor does reaches a session: when the page is there, under the document's lock, and
+without holding what the visitor has left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+from weakref import WeakMethod
+
+import panel as pn
+from panel.io.document import with_lock
+from panel.reactive import Syncable
+
+# Panel takes a press, and with it any change of the last 50 ms, without the document's lock, which
+# every change of a plot needs
+Syncable._event_coroutine = with_lock(Syncable._event_coroutine)  # type: ignore[method-assign]
+
+
+def pressing(action: Callable[[], None]) -> Callable[[Any], None]:
+    """What a button calls: a change while the page is being loaded may never reach the browser."""
+    return lambda _: pn.state.onload(action)
+
+
+def weakly(method: Callable[[], None]) -> Callable[[], None]:
+    """A method that does not keep its object: a document that is gone keeps its callbacks, and
+    Panel may keep the document.
+    """
+    known = WeakMethod(method)
+
+    def call() -> None:
+        if (found := known()) is not None:
+            found()
+
+    return call

@@ -82,7 +82,7 @@ class Live:
         self._axis = horizontal("indentation", *EMPTY)
         self._run: Run | None = None
         self._drawn = self._counted = 0
-        self._turn = False
+        self._turn = 0
         self._shown: tuple[int, bool] | None = None
         self._fitted = False
         self.root = self._layout()
@@ -110,14 +110,14 @@ class Live:
             self.force.update(run.record, low, high, ended)
             self.legend.show_failed(len(self.force.failed.data["force"]) > 0)
             self._drawn = high
-        # iterations and map take turns: half the work of a frame, and still ten of each a second
-        self._turn, still = not self._turn, ended or run.paused
-        if (self._turn or still) and (high > self._counted or ended):
+        # of three frames one draws iterations, one the map: half the work, and still five a second
+        self._turn, still = (self._turn + 1) % 3, ended or run.paused
+        if (self._turn == 1 or still) and (high > self._counted or ended):
             self.iterations.update(run.record, self._counted, high, ended)
             self._counted = high
         if high:
             self.player.update(high, len(run.simulation), run.record.columns)
-            if not self._turn or still or self.player.step is not None:
+            if self._turn == 2 or still or self.player.step is not None:
                 self._show_step(run, high, ended)
 
     def point_at(self, place: str) -> None:

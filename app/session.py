@@ -27,7 +27,7 @@ from .views.style import DESK, HALL
 from .whatif import WhatIf
 
 #: milliseconds between two looks at what the solver has left
-FRAME = 55
+FRAME = 60
 #: looks at the solver from one to the next drawing of a tab at rest while a run goes on
 _TAB_PERIOD = 30
 #: least time from one run to the next where every change is run [s]

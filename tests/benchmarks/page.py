@@ -120,12 +120,12 @@ def _stream(tab: Page) -> list[tuple[str, str, str]]:
         rates.append((len(frames) - 1) / (frames[-1] - frames[0]) * 1e3)
         time.sleep(1.5)
     steps = len(session.run.simulation)  # type: ignore[union-attr, arg-type]
-    slower = 100 * (min(seconds) / min(alone) - 1)
+    slower = 100 * (statistics.median(s / a for s, a in zip(seconds, alone, strict=True)) - 1)
     return [
         (f"frames on the screen a second, `default` at 3 mm/s, {steps} steps, as fast as it can",
          f"{statistics.median(rates):.0f}", ">= 15"),
-        ("its solver slower than without a page", f"{slower:.0f} % ({min(alone):.2f} s alone)",
-         "< 30 %"),
+        ("its solver slower than without a page, median of 5 pairs",
+         f"{slower:.0f} % ({statistics.median(alone):.2f} s alone)", "< 30 %"),
     ]  # fmt: skip
 
 

@@ -39,20 +39,7 @@ async function copy(text) {
   }
 }
 
-// Bokeh writes the place of every part of a plot anew at every painting, and then asks for styles:
-// all of the page is styled again, some thirty times a frame. What has not changed need not be written.
-function spare_styles() {
-  const [view] = Bokeh.index.query((found) => typeof found.position?._update === "function")
-  let sheet = view && Object.getPrototypeOf(view.position)
-  while (sheet && !Object.hasOwn(sheet, "_update")) { sheet = Object.getPrototypeOf(sheet) }
-  if (!sheet || sheet.spared) { return }
-  const write = sheet._update
-  sheet.spared = true
-  sheet._update = function(css) { if (this.el.textContent !== css) { write.call(this, css) } }
-}
-
 export function render({model, el}) {
-  setTimeout(spare_styles, 0)
   const listen = (event) => {
     const key = key_of(event)
     if (key === null || !KEYS.has(key)) { return }

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from enum import Enum
 from typing import Any
 
 import numpy as np
 import panel as pn
 import panel_material_ui as pmui
 
+from .live_layout import arrange
 from .player import Player
 from .runner import Run
 from .shelf import Shelf
@@ -23,21 +25,14 @@ from .views.style import EMPTY, GREY, VERMILION, Size, horizontal
 
 #: milliseconds from a change of what a plot shows until a long run is drawn in full there
 _LOOK = 200
-#: heights that fill a screen and no more: what stands above and below is taken off
-_LEFT = "(100vh - 132px - 200px * var(--scale, 1) - var(--taken, 0px))"
-_FORCE = f"clamp(230px, calc({_LEFT} * 0.6), 640px)"
-_ITERATIONS = f"clamp(190px, calc({_LEFT} * 0.4), 420px)"
-#: the map is square, and so no wider than there is height
-_MAP = f"max(330px, calc({_LEFT} * 0.87))"
+#: profiles that return: forth and back on one axis would lie on top of each other
+_RETURNING = ("load-hold-unload", "sinusoidal", "table")
 
-#: one column on a phone
-_TWO_COLUMNS = """
-:host { display: grid; grid-template-columns: minmax(0, 7fr) minmax(0, 5fr); }
-@media (max-width: 900px) {
-  :host { grid-template-columns: minmax(0, 1fr); grid-auto-rows: max-content; }
-}"""
-#: on a phone the legend gets a line of its own
-_WRAP = "@media (max-width: 600px) { :host { flex-wrap: wrap; } }"
+
+class Turn(Enum):
+    """What a frame brings besides the force: a third of the work, and still five times a second."""
+
+    WORDS, ITERATIONS, MAP = range(3)
 
 
 class Live:
@@ -82,10 +77,9 @@ class Live:
         self._axis = horizontal("indentation", *EMPTY)
         self._run: Run | None = None
         self._drawn = self._counted = 0
-        self._turn = 0
         self._shown: tuple[int, bool] | None = None
         self._fitted = False
-        self.root = self._layout()
+        self.root = arrange(self)
 
     def begin(self, run: Run, keep_scale: bool) -> None:
         """Forget the last run; its scale stays where the next one is compared with it."""
@@ -97,8 +91,10 @@ class Live:
         self.contact_map.clear()
         self.player.reset()
 
-    def draw(self, run: Run, ended: bool) -> None:
-        """Show what has come since the last frame, and the step that is asked for."""
+    def draw(self, run: Run, ended: bool, turn: Turn | None = None) -> None:
+        """Show what has come since the last frame, and the step that is asked for; where it is the
+        turn of one of them, no more than that and the force.
+        """
         if run.simulation is None or run.record is None:
             return
         if not self._prepared:
@@ -110,15 +106,17 @@ class Live:
             self.force.update(run.record, low, high, ended)
             self.legend.show_failed(len(self.force.failed.data["force"]) > 0)
             self._drawn = high
-        # of three frames one draws iterations, one the map: half the work, and still five a second
-        self._turn, still = (self._turn + 1) % 3, ended or run.paused
-        if (self._turn == 1 or still) and (high > self._counted or ended):
+        if turn in (Turn.ITERATIONS, None) and (high > self._counted or ended):
             self.iterations.update(run.record, self._counted, high, ended)
             self._counted = high
-        if high:
+        if high and turn in (Turn.WORDS, None):
             self.player.update(high, len(run.simulation), run.record.columns)
-            if self._turn == 2 or still or self.player.step is not None:
-                self._show_step(run, high, ended)
+        if high and (turn in (Turn.MAP, None) or self.player.step is not None):
+            self._show_step(run, high, ended)
+
+    def suit(self, profile: str) -> None:
+        """Choose the horizontal axis on which a loading profile is read best."""
+        self.axis.value = "time" if profile in _RETURNING else "indentation"
 
     def point_at(self, place: str) -> None:
         """Draw a frame around a plot, "force", "iterations" or "map"; around none for others."""
@@ -221,29 +219,3 @@ class Live:
         self._shown = None
         if self._run is not None and self._drawn:
             self._show_step(self._run, self._drawn, self._run.phase.ended)
-
-    def _layout(self) -> pn.Column:
-        def plot(root: Any, height: str) -> pn.Column:
-            filled = pn.pane.Bokeh(root, sizing_mode="stretch_both", margin=0)
-            return pn.Column(
-                filled, sizing_mode="stretch_width", margin=0, styles={"height": height}
-            )
-
-        top = pn.Row(
-            self.axis, self.pin, self.legend.root,
-            sizing_mode="stretch_width", margin=0, stylesheets=[_WRAP],
-        )  # fmt: skip
-        curves = pn.Column(
-            top, plot(self.force.root, _FORCE), plot(self.iterations.root, _ITERATIONS),
-            sizing_mode="stretch_width", margin=0,
-        )  # fmt: skip
-        touching = pn.Column(
-            self.mode, pn.pane.Bokeh(self.contact_map.root, sizing_mode="scale_width"),
-            sizing_mode="stretch_width", margin=0, styles={"max-width": _MAP},
-        )  # fmt: skip
-        both = pn.Row(
-            curves, touching, sizing_mode="stretch_width", margin=0, stylesheets=[_TWO_COLUMNS]
-        )
-        return pn.Column(
-            both, self.player.root, self.element.root, sizing_mode="stretch_width", margin=0
-        )

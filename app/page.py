@@ -9,6 +9,7 @@ import panel as pn
 import panel_material_ui as pmui
 
 from .limits import sessions
+from .painting import Painting
 from .session import Session
 
 _PARTS = {
@@ -61,7 +62,8 @@ def lay_out(session: Session) -> pmui.Page:
         main=[
             pn.Column(
                 session.headline.root, session.teaching.card.root, session.tabs.root,
-                session.browser, session.dialogs.root, session.controls.road_file.dialog,
+                session.browser, Painting(), session.dialogs.root,
+                session.controls.road_file.dialog,
                 sizing_mode="stretch_width", margin=0,
                 # as high as its contents: else no higher than the screen, and parts overlap
                 styles={"max-height": "none"},

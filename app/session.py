@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
+from itertools import cycle
 from typing import Any
 
 import panel as pn
@@ -17,7 +18,8 @@ from .controls import Controls
 from .dialogs import Dialogs
 from .header import Header
 from .limits import limits, slots
-from .live import Live
+from .live import Live, Turn
+from .phase import Phase
 from .runner import Run
 from .shelf import Shelf
 from .tabs import Tabs, makers
@@ -32,8 +34,6 @@ FRAME = 60
 _TAB_PERIOD = 30
 #: least time from one run to the next where every change is run [s]
 _LIVE_PAUSE = 0.15
-#: profiles that return: forth and back on one axis would lie on top of each other
-_RETURNING = ("load-hold-unload", "sinusoidal", "table")
 
 
 class Session:
@@ -51,6 +51,7 @@ class Session:
         self._ran = "default"  # the preset that it began as
         self._clock: Any = None
         self._ticks, self._waiting, self._live_due = 0, False, 0.0
+        self._turns, self._told = cycle(Turn), Phase.WAITING
         self._large = False
         self.on_present: Callable[[bool], None] = lambda _: None
         self.browser, self.shelf = Browser(), Shelf()
@@ -119,7 +120,7 @@ class Session:
     def load_preset(self, name: str) -> None:
         """Put a preset into the form."""
         self.controls.load(name)
-        self.choose_axis()
+        self.live.suit(self.controls.scenario.loading.profile)
 
     def close(self) -> None:
         """The visitor has left, and the document with all its callbacks is gone already."""
@@ -148,9 +149,14 @@ class Session:
         ended = run.phase.ended  # read before the rows: then no row comes after it
         if self.live.player.playing:
             self.live.player.tick(FRAME / 1e3)
-        self.live.draw(run, ended)
-        self.headline.update(run)
-        self.header.update(run)
+        phase = run.phase
+        # all of it where the visitor, or the run, has done something
+        turn = None if ended or run.paused or phase is not self._told else next(self._turns)
+        self.live.draw(run, ended, turn)
+        if turn in (Turn.WORDS, None):
+            self.headline.update(run)
+            self.header.update(run)
+        self._told = phase
         if ended or self._ticks % _TAB_PERIOD == 0:
             self.tabs.show(run)
         if ended and not self.live.player.playing:
@@ -168,7 +174,7 @@ class Session:
             return
         link = links.parse(search)
         self.controls.load(link.preset, link.scenario)
-        self.choose_axis()
+        self.live.suit(self.controls.scenario.loading.profile)
         if link.problems:
             self.headline.refuse("; ".join(link.problems))
 
@@ -218,11 +224,6 @@ class Session:
             self.shelf.pin(self.run, label)
         except InputError as error:
             self.headline.refuse(str(error))
-
-    def choose_axis(self) -> None:
-        """The horizontal axis on which the form's loading is read best."""
-        returns = self.controls.scenario.loading.profile in _RETURNING
-        self.live.axis.value = "time" if returns else "indentation"
 
     def _paced(self, duration: float) -> None:
         if self.run is not None:

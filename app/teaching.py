@@ -41,7 +41,7 @@ class Teaching:
             if preset is not None:
                 self._session.load_preset(preset)
             self._session.controls.change_all(settings)
-        self._session.choose_axis()
+        self._session.live.suit(self._session.controls.scenario.loading.profile)
 
     def _point(self, place: str) -> None:
         """Show what is spoken of."""

@@ -13,7 +13,7 @@ from bokeh.plotting import figure
 from tyrecontact.road.springs import Springs
 
 from .map_scale import Scale
-from .style import DESK, GREY, RUN_COLOR, VERMILION, Horizontal, Size, hover, plot, put_on
+from .style import DESK, GREY, LIVE, RUN_COLOR, VERMILION, Horizontal, Size, hover, plot, put_on
 
 HEIGHT = 240
 #: side of the heights, which are square, in a plot of that height [px]
@@ -51,12 +51,12 @@ class ForcePlots:
         self._spring_line(self.curve, "solid", tips)
         self._spring_line(self.bond, "dashed", tips)
         self._lines = [
-            fig.line(x, "force", source=self.path, line_width=1.6)
+            fig.line(x, "force", source=self.path, line_width=1.6, level=LIVE)
             for fig, x in ((self.history, "indentation_um"), (self.spring, "compression_um"))
         ]
         dots = [
             fig.scatter(x, "force", source=self.now, size=10, fill_color=VERMILION,
-                        line_color="white")
+                        line_color="white", level=LIVE)
             for fig, x in ((self.history, "indentation_um"), (self.spring, "compression_um"))
         ]  # fmt: skip
         self._against = [self._lines[0], dots[0]]

@@ -11,7 +11,7 @@ from bokeh.models import ColumnDataSource
 from tyrecontact.results import Record
 
 from ..runner import Baseline
-from .style import GREY, RUN_COLOR, VERMILION, Horizontal, Size, cursor, hover, plot, put_on
+from .style import GREY, LIVE, RUN_COLOR, VERMILION, Horizontal, Size, cursor, hover, plot, put_on
 from .trace import Trace
 
 _COLUMNS = ("time_ms", "indentation_um", "force")
@@ -32,22 +32,29 @@ class ForceView:
         self.root = plot("Contact force", "Force [N]", None, top=_TOP)
         self.cursor = cursor(self.root)
         self._glyphs = []
-        self._line(self.baseline, GREY, 5, alpha=0.55)
+        self._line(self.baseline, GREY, 5, alpha=0.55, level="glyph")
         line = self._run = self._line(self.source, RUN_COLOR[False], 2)
         self._over = self._line(self._sound.source, RUN_COLOR[False], 2)
         marks = self.root.scatter(
             "indentation_um", "force", source=self.failed, marker="x", size=7,
-            line_color=VERMILION, line_width=2,
+            line_color=VERMILION, line_width=2, level=LIVE,
         )  # fmt: skip
         self._glyphs.append(marks)
         tips = [("force", "@force{0.0} N"), ("indentation", "@indentation_um{0.0} µm")]
         hover(self.root, line, [*tips, ("time", "@time_ms{0.000} ms")], "mouse")
         self.root.min_border_right = 74  # as the plot below, whose second axis stands there
 
-    def _line(self, source: ColumnDataSource, color: str, width: float, alpha: float = 1.0) -> Any:
+    def _line(
+        self,
+        source: ColumnDataSource,
+        color: str,
+        width: float,
+        alpha: float = 1.0,
+        level: str = LIVE,
+    ) -> Any:
         line = self.root.line(
             "indentation_um", "force", source=source, line_color=color, line_width=width,
-            line_alpha=alpha,
+            line_alpha=alpha, level=level,
         )  # fmt: skip
         self._glyphs.append(line)
         return line

@@ -12,6 +12,7 @@ from tyrecontact.results import Record
 from .style import (
     DESK,
     GREY,
+    LIVE,
     MARGIN_COLOR,
     RUN_COLOR,
     VERMILION,
@@ -47,11 +48,11 @@ class IterationsView:
         margin = self._margin_line()
         line = self.root.step(
             "indentation_um", "iterations", source=self.source, mode="center",
-            line_color=RUN_COLOR[False], line_width=1.5,
+            line_color=RUN_COLOR[False], line_width=1.5, level=LIVE,
         )  # fmt: skip
         marks = self.root.scatter(
             "indentation_um", "iterations", source=self.failed, marker="x", size=7,
-            line_color=VERMILION, line_width=2,
+            line_color=VERMILION, line_width=2, level=LIVE,
         )  # fmt: skip
         self._glyphs = [line, margin, marks]
         place = ("indentation", "@indentation_um{0.0} µm")
@@ -71,7 +72,7 @@ class IterationsView:
         self.root.add_layout(zero)
         return self.root.line(
             "indentation_um", "margin", source=self.margin, y_range_name="margin",
-            line_color=MARGIN_COLOR, line_width=2, line_dash=[6, 3],
+            line_color=MARGIN_COLOR, line_width=2, line_dash=[6, 3], level=LIVE,
         )  # fmt: skip
 
     def show_against(self, axis: Horizontal) -> None:

@@ -18,7 +18,7 @@ from bokeh.plotting import figure
 
 from .map_modes import STATES
 from .map_scale import Scale
-from .style import Size
+from .style import LIVE, Size
 
 #: not in contact: grey on white and on black, unlike the darkest blue and unlike white
 APART = "#8A8F9866"
@@ -108,16 +108,16 @@ class MapFigure:
     def _draw(self) -> None:
         self._image = self.root.image(
             "shown", source=self.image, x="corner", y="corner", dw="side", dh="side",
-            color_mapper=self.mapper,
+            color_mapper=self.mapper, level=LIVE,
         )  # fmt: skip
         self._marks = self.root.scatter(
             "x", "y", source=self.marks, marker="marker", size=6, fill_color="white",
-            line_color="black", line_width=1,
+            line_color="black", line_width=1, level=LIVE,
         )  # fmt: skip
         for color, width in (("white", 5), ("black", 2)):
             self.root.rect(
                 "x", "y", "side", "side", source=self.frame, fill_color=None, line_color=color,
-                line_width=width,
+                line_width=width, level=LIVE,
             )  # fmt: skip
 
     def _add_bar(self) -> None:

@@ -17,6 +17,9 @@ MARGIN_COLOR = "#CC79A7"
 #: line of a run: readable on white and on black
 RUN_COLOR = {False: BLUE, True: "#56B4E9"}
 
+#: level of what changes with every frame: on a canvas of its own, without the axes
+LIVE = "overlay"
+
 
 @dataclass(frozen=True)
 class Size:

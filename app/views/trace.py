@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from bokeh.models import ColumnDataSource
 
-#: points of a curve at most: two for each pixel of a plot's width
-POINTS = 2000
+#: points of a curve at most: more than pixels of a plot's width; each costs the browser time
+POINTS = 1200
 
 
 def extremes(values: np.ndarray, stretch: int) -> np.ndarray:
@@ -29,10 +29,9 @@ def extremes(values: np.ndarray, stretch: int) -> np.ndarray:
 class Trace:
     """Points of a run: time, indentation and a value.
 
-    A point for each step, up to `POINTS` of them. Then the curve is thinned by half, to the
-    extremes of stretches of steps, and grows on in such stretches; and so on. What is sent to the
-    browser so grows with the logarithm of the number of steps. Of a run that has ended `look`
-    shows a part in full.
+    A point for each step where all of them have room in `POINTS`. Of a longer run there is soon
+    one for the least and the largest of each stretch of steps, so long that the whole run has room.
+    Of a run that has ended `look` shows a part in full.
 
     Attributes
     ----------
@@ -55,9 +54,9 @@ class Trace:
         The points of a stretch come when it is whole; those of the last one when the run ends.
         """
         chosen = self._chosen(columns, rows, ended)
-        if len(self.source.data["time_ms"]) + chosen.size > POINTS:
+        if len(self.source.data["time_ms"]) + chosen.size > self._room(columns, rows):
             self._done = 0
-            while 2 * rows.size > 0.6 * POINTS * self._stretch:  # two a stretch, room to grow
+            while not self._fits(columns, rows):
                 self._stretch *= 2
             chosen = np.union1d(rows[:1], self._chosen(columns, rows, ended))
             self.source.data = self._points(columns, chosen)
@@ -87,6 +86,15 @@ class Trace:
         ends = rows[[0, -1]]
         shown = np.unique(np.concatenate([ends, around, detail]))
         self.source.data = self._points(columns, shown)
+
+    def _fits(self, columns: Mapping[str, np.ndarray], rows: np.ndarray) -> bool:
+        """Whether the whole run has room, if as many of its steps are drawn as so far."""
+        expected = rows.size * columns["time"].size / (rows[-1] + 1) if rows.size else 0
+        return min(2 / self._stretch, 1) * expected <= POINTS
+
+    def _room(self, columns: Mapping[str, np.ndarray], rows: np.ndarray) -> int:
+        """Points until the curve is thinned; early where it must be: each costs the solver time."""
+        return POINTS if self._fits(columns, rows) else POINTS // 4
 
     def _whole(self, rows: np.ndarray, ended: bool) -> int:
         return rows.size if ended else rows.size // self._stretch * self._stretch

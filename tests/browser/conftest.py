@@ -5,21 +5,15 @@ from __future__ import annotations
 import os
 import re
 import shutil
-import socket
-import subprocess
-import sys
-import time
-import urllib.request
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect, sync_playwright
 
 from tests.browser.chromium import ARGUMENTS, NAMES
+from tests.browser.serving import served_by_command
 
 expect.set_options(timeout=30_000)  # a machine may be busy
-_ROOT = Path(__file__).parents[2]
 #: tab -> words in it, or none where plots are all that it shows
 TABS: dict[str, str | re.Pattern[str]] = {
     "Stiffness": "", "Release": "", "Energy": "The drive has put in", "Inputs": "",
@@ -66,33 +60,11 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture(scope="session")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """Address of the page, served as the README says."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
     log = tmp_path_factory.mktemp("server") / "log"
-    command = [sys.executable, "-m", "panel", "serve", "app", "--liveness", "--port", str(port)]
-    with log.open("w") as output:
-        server = subprocess.Popen(command, cwd=_ROOT, stdout=output, stderr=output)
-        url = f"http://localhost:{port}"
-        try:
-            _wait_until_alive(f"{url}/liveness", server, log)
-            yield f"{url}/app"
-        finally:
-            server.terminate()
-            server.wait(20)
+    with served_by_command(log) as url:
+        yield url
     text = log.read_text()
     assert _FAILURES.search(text) is None, text
-
-
-def _wait_until_alive(url: str, server: subprocess.Popen[bytes], log: Path) -> None:
-    for _ in range(300):
-        assert server.poll() is None, log.read_text()
-        try:
-            with urllib.request.urlopen(url, timeout=1):
-                return
-        except OSError:
-            time.sleep(0.1)
-    pytest.fail(f"the server did not answer: {log.read_text()}")
 
 
 class Visit:

@@ -1,0 +1,25 @@
+// How Bokeh paints, on this page: many frames a second on a machine that is busy with the solver.
+// Each change holds for all plots, and for what Bokeh does here alone; the pictures are the same.
+const {InlineStyleSheet} = Bokeh.require("core/dom")
+const {VisualProperties} = Bokeh.require("core/visuals/visual")
+const {GlyphRendererView} = Bokeh.require("models/renderers/glyph_renderer")
+
+// The place of every part of a plot is written anew at every painting, and the page is styled anew
+// for it, some thirty times a frame. What has not changed need not be written.
+const write = InlineStyleSheet.prototype._update
+InlineStyleSheet.prototype._update = function(css) {
+  if (this.el.textContent !== css) { write.call(this, css) }
+}
+
+// That of a curve changes as it grows, and nothing stands there.
+GlyphRendererView.prototype.update_position = () => {}
+
+// For each colour, width and font the page's styles are asked, at every painting. None of this page
+// says any (they would begin with `--bk-`).
+VisualProperties.prototype._get_css_value = () => ""
+
+// What is drawn while a run goes on lies on a canvas of its own, so that axes need not be painted
+// again. Bokeh does not keep within the frame what lies there.
+Object.defineProperty(GlyphRendererView.prototype, "needs_clip", {get: () => true})
+
+export function render({el}) { el.style.display = "none" }

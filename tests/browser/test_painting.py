@@ -1,0 +1,57 @@
+"""What is drawn while a run goes on lies on a canvas of its own, and stays within its plot."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from tests.browser.conftest import Visit
+
+#: of the plot of the force: pixels drawn on the canvas of the run within the frame and outside it,
+#: and paintings of its horizontal axis, after its axes were changed and so much was awaited
+_PAINTED = """async ([end, rows]) => {
+  const source = Bokeh.documents[0].get_model_by_name("force")
+  const draws = (figure) => figure.renderers.some((one) => one.data_source === source)
+  const [view] = Bokeh.index.query(({model}) => model.type === "Figure" && draws(model))
+  view.model.y_range.setv({start: 0, end})
+  const axis = view.renderer_views.get(view.model.below[0])
+  let axes = 0
+  const paint = axis._paint
+  axis._paint = function(...all) { axes += 1; return paint.call(this, ...all) }
+  const settled = source.data.force.length + rows
+  await new Promise((resolve) => setTimeout(resolve, 300))
+  axes = 0
+  let turns = 0
+  while (source.data.force.length < settled) {
+    await new Promise((resolve) => setTimeout(resolve, 20))
+    if (turns++ > 1500) { throw new Error("no more rows came") }
+  }
+  const {left, top, width, height} = view.frame.bbox
+  const {ctx, canvas, pixel_ratio} = view.canvas_view.overlays
+  const drawn = (x, y, w, h) => {
+    const {data} = ctx.getImageData(...[x, y, w, h].map((value) => Math.round(value * pixel_ratio)))
+    return data.filter((_, place) => place % 4 === 3).filter((alpha) => alpha > 0).length
+  }
+  const inside = drawn(left, top, width, height)
+  // a line is antialiased over the edge
+  const right = left + width + 2
+  const outside = drawn(0, 0, canvas.width, top - 2) + drawn(right, 0, canvas.width, canvas.height)
+  axis._paint = paint
+  return [inside, outside, axes]
+}"""
+
+
+def test_a_run_leaves_neither_its_frame_nor_its_canvas(visit: Visit) -> None:
+    """The axis is cut at a fifth of the force, which the run passes."""
+    visit.choose_pace("in about 6 s")
+    visit.press("Run")
+    visit.wait_for_rows(20)
+    inside, outside, axes = visit.tab.evaluate(_PAINTED, [2000, 30])
+    assert inside > 20
+    assert outside == 0
+    assert axes == 0, "the axes were painted again"
+    visit.wait_for_sentence("Complete", 90)
+    visit.tab.wait_for_timeout(300)
+    inside, outside, _ = visit.tab.evaluate(_PAINTED, [90, 0])
+    assert inside > 20
+    assert outside == 0

@@ -14,6 +14,9 @@ from typing import Any
 
 from tyrecontact.errors import TyreContactError
 
+from .limits import helpers
+from .slots import Slots
+
 _LOG = logging.getLogger(__name__)
 #: does the work, told at its leisure whether it is still wanted
 Job = Callable[[Callable[[], bool]], Any]
@@ -25,10 +28,11 @@ class Latest:
     Parameters
     ----------
     wake : called on the thread when there is an answer to be taken.
+    slots : a job is done when it gets one; those of the server where none are given.
     """
 
-    def __init__(self, wake: Callable[[], None]) -> None:
-        self._wake = wake
+    def __init__(self, wake: Callable[[], None], slots: Slots | None = None) -> None:
+        self._wake, self._slots = wake, slots or helpers()
         self._lock = threading.Lock()
         self._asked = 0
         self._waiting: tuple[int, Job] | None = None
@@ -80,7 +84,9 @@ class Latest:
                     self._thread = None
                     return
             number, job = task
-            answer = _answer(job, partial(self._wants, number))
+            wants = partial(self._wants, number)
+            with self._slots.turn(wants) as granted:
+                answer = _answer(job, wants) if granted else (None, "")
             with self._lock:
                 wanted = number == self._asked
                 if wanted:

@@ -1,7 +1,8 @@
 """What a public server allows a visitor: read from the environment, refused in one sentence.
 
     TYRECONTACT_MAX_SESSIONS   visitors at once; more see a page that says so
-    TYRECONTACT_MAX_RUNS       runs computed at once; the others queue
+    TYRECONTACT_MAX_RUNS       runs computed at once; the others queue. Apart from them as many
+                               inputs and roads are prepared for the eye at once
     TYRECONTACT_MAX_STEPS      time steps of a run
     TYRECONTACT_MAX_ELEMENTS   elements along a side of the patch
     TYRECONTACT_MAX_SECONDS    wall clock of a run [s], pauses and waiting not counted
@@ -127,6 +128,12 @@ def limits() -> Limits:
 @cache
 def slots() -> Slots:
     """The queue of all runs on this server."""
+    return Slots(limits().runs)
+
+
+@cache
+def helpers() -> Slots:
+    """The queue of what is prepared for the eye, beside the runs: nobody waits for those."""
     return Slots(limits().runs)
 
 

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager
+
+#: how often who waits looks whether it is still wanted [s]
+_LOOK = 0.5
 
 
 class Ticket:
@@ -60,6 +64,18 @@ class Slots:
                 self._queue.remove(ticket)
             told = self._grant()
         _tell(told)
+
+    @contextmanager
+    def turn(self, wanted: Callable[[], bool]) -> Iterator[bool]:
+        """Wait on this thread for a slot, and hold it; False where it is not wanted any more."""
+        called = threading.Event()
+        ticket = self.enter(called.set)
+        try:
+            while wanted() and not ticket.granted:
+                called.wait(_LOOK)
+            yield ticket.granted and wanted()
+        finally:
+            self.leave(ticket)
 
     def place(self, ticket: Ticket) -> int:
         """Where a ticket stands in the queue, 1 for the next one; 0 for one that does not wait."""

@@ -27,7 +27,7 @@ _EMPTY = (
 )
 #: all plots are as wide as each other, also in a row that they do not fill
 _EVEN = """:host {{ display: grid; align-items: start;
-  grid-template-columns: repeat(auto-fill, minmax(min({}px, 100%), 1fr)); }}"""
+  grid-template-columns: repeat(auto-fit, minmax(min({}px, 100%), 1fr)); }}"""
 #: a run under way is drawn anew when so many times the last drawing's cost has passed
 _PATIENCE = 10
 

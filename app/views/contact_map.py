@@ -199,7 +199,8 @@ class ContactMapView:
         }  # fmt: skip
 
     def _tapped(self, event: Any) -> None:
-        if self._on_show is None or event.x is None or event.y is None:
+        known = all(isinstance(at, float | int) and math.isfinite(at) for at in (event.x, event.y))
+        if self._on_show is None or not known:
             return
         row, column = (math.floor(place * 1e-3 / self._spacing) for place in (event.y, event.x))
         if 0 <= row < self._elements and 0 <= column < self._elements:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from app.latest import Latest
+from app.slots import Slots
 from tyrecontact.errors import InputError
 
 
@@ -119,3 +120,28 @@ def test_a_thread_that_could_not_be_had_is_asked_for_again(monkeypatch: pytest.M
     latest.ask(lambda _: 2)
     assert latest.join(10)
     assert latest.take() == (2, "")
+
+
+def test_jobs_of_many_screens_take_turns_and_who_is_gone_waits_no_longer() -> None:
+    slots, begun, go = Slots(1), threading.Event(), threading.Event()
+    first, second, third = (Latest(lambda: None, slots) for _ in range(3))
+
+    def slow(_: Callable[[], bool]) -> str:
+        begun.set()
+        assert go.wait(10)
+        return "first"
+
+    first.ask(slow)
+    assert begun.wait(10)
+    second.ask(lambda _: "second")
+    third.ask(lambda _: "third")
+    second.close()
+    assert second.join(10)
+    assert third.take() is None
+    assert (slots.held, slots.waiting) == (1, 1)
+    go.set()
+    assert all(latest.join(10) for latest in (first, third))
+    assert [latest.take() for latest in (first, second, third)] == [
+        ("first", ""), None, ("third", "")
+    ]  # fmt: skip
+    assert (slots.held, slots.waiting) == (0, 0)

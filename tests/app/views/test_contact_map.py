@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from bokeh.events import Tap
@@ -160,7 +162,10 @@ def test_nothing_is_sent_twice(finished: Run, view: ContactMapView) -> None:
 def test_a_tap_tells_row_and_column(finished: Run, view: ContactMapView) -> None:
     taps: list[tuple[int, int]] = []
     view.on_tap = lambda row, column: taps.append((row, column))
-    tap = [Tap(view.root, x=x, y=y) for x, y in ((4.2, 0.3), (6.1, 2.0), (1.0, -0.2))]
+    tap = [
+        Tap(view.root, x=x, y=y)
+        for x, y in ((4.2, 0.3), (6.1, 2.0), (1.0, -0.2), (math.nan, 1.0), (None, 1.0))
+    ]
     view._tapped(tap[0])
     assert taps == []  # there is nothing yet
     show_last(view, finished)

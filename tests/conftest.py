@@ -8,6 +8,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from xdist.remote import Producer
+from xdist.scheduler import LoadFileScheduling
 
 # before numpy comes: on matrices this small threads mostly wait for each other
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -16,8 +18,22 @@ from tyrecontact import Results, Scenario, Simulation, presets
 from tyrecontact.figures import FIGURES, Figure
 
 
+class _Files(LoadFileScheduling):
+    """A file stays in one process, which prepares what it needs once; all of the browser's files in
+    the same one: two browsers at once on two cores are no faster.
+    """
+
+    def _split_scope(self, nodeid: str) -> str:
+        return "browser" if "/browser/" in nodeid else super()._split_scope(nodeid)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadFileScheduling:
+    return _Files(config, log)
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The browser's files first: they take longest, and none is to be waited for at the end."""
+    """The browser's tests first: they take longest."""
     items.sort(key=lambda item: "browser" not in item.path.parts)
 
 

@@ -28,7 +28,7 @@ from tyrecontact import Scenario, presets
 
 #: of `default` in Live mode; a run long enough to be measured is pressed in ten times as slowly
 _SLOWLY = 0.003
-_REPEATS = 5
+_REPEATS = 9
 _sessions: list[Session] = []
 
 _COUNT_FRAMES = """() => {
@@ -137,7 +137,7 @@ def _stream(tab: Page) -> list[tuple[str, str, str]]:
     return [
         (f"frames on the screen a second, `default` at 3 mm/s, {steps} steps, as fast as it can",
          f"{statistics.median(rates):.0f}", ">= 15"),
-        ("its solver slower than without a page, median of 5 pairs",
+        ("its solver slower than without a page, median of 9 pairs",
          f"{slower:.0f} % ({statistics.median(alone):.2f} s alone)", "< 30 %"),
     ]  # fmt: skip
 

@@ -8,7 +8,15 @@ import shutil
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    Locator,
+    Page,
+    TimeoutError,
+    expect,
+    sync_playwright,
+)
 
 from tests.browser.chromium import ARGUMENTS, NAMES
 from tests.browser.serving import served_by_command
@@ -145,7 +153,11 @@ class Visit:
         self.tab.get_by_role("combobox", name="Pace of a run").click()
         item = self.tab.get_by_role("menuitem", name=name, exact=True)
         item.click()
-        item.wait_for(state="hidden")
+        try:
+            item.wait_for(state="hidden", timeout=5000)
+        except TimeoutError:  # the menu was still unfolding, or drawn anew under the pointer
+            item.click()
+            item.wait_for(state="hidden")
         self.tab.wait_for_function(f"name => ({_FOCUSED})() === name", arg=name)  # it is back
 
     def sentence(self) -> str:

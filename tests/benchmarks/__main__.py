@@ -45,7 +45,7 @@ def main() -> int:
 def run(written: Path, selected: str) -> int:
     """Run the benchmarks in a process with one thread; 0 if all went well."""
     files = sorted(map(str, _HERE.glob("bench_*.py")))
-    command = [sys.executable, "-m", "pytest", "-q", "--benchmark-quiet", *files]
+    command = [sys.executable, "-m", "pytest", "-q", "-n=0", "--benchmark-quiet", *files]
     command += [f"--benchmark-json={written.resolve()}", *(["-k", selected] if selected else [])]
     done = subprocess.run(command, cwd=_HERE.parents[1], env=os.environ | _THREADS, check=False)
     return done.returncode

@@ -19,12 +19,14 @@ from tyrecontact.figures import FIGURES, Figure
 
 
 class _Files(LoadFileScheduling):
-    """A file stays in one process, which prepares what it needs once; all of the browser's files in
-    the same one: two browsers at once on two cores are no faster.
+    """A file stays in one process, which prepares what it needs once; so do all of the browser's
+    files that share a server.
     """
 
     def _split_scope(self, nodeid: str) -> str:
-        return "browser" if "/browser/" in nodeid else super()._split_scope(nodeid)
+        file: str = super()._split_scope(nodeid)
+        alone = "/browser/" not in file or file.endswith("test_leaving.py")
+        return file if alone else "browser"
 
 
 @pytest.hookimpl(optionalhook=True)

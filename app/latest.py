@@ -14,7 +14,7 @@ from typing import Any
 
 from tyrecontact.errors import TyreContactError
 
-from .limits import helpers
+from .limits import preparing
 from .slots import Slots
 
 _LOG = logging.getLogger(__name__)
@@ -32,7 +32,7 @@ class Latest:
     """
 
     def __init__(self, wake: Callable[[], None], slots: Slots | None = None) -> None:
-        self._wake, self._slots = wake, slots or helpers()
+        self._wake, self._slots = wake, slots or preparing()
         self._lock = threading.Lock()
         self._asked = 0
         self._waiting: tuple[int, Job] | None = None

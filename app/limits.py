@@ -132,8 +132,8 @@ def slots() -> Slots:
 
 
 @cache
-def helpers() -> Slots:
-    """The queue of what is prepared for the eye, beside the runs: nobody waits for those."""
+def preparing() -> Slots:
+    """A queue for what is prepared for the eye: it does not wait for runs, nor they for it."""
     return Slots(limits().runs)
 
 

@@ -30,7 +30,7 @@ _RETURNING = ("load-hold-unload", "sinusoidal", "table")
 
 
 class Turn(Enum):
-    """What a frame brings besides the force: a third of the work, and still five times a second."""
+    """What a frame brings besides the force: at 16 frames a second each comes five times."""
 
     WORDS, ITERATIONS, MAP = range(3)
 
@@ -103,11 +103,11 @@ class Live:
             self._compare(run)
         low, high = self._drawn, run.record.count
         if high > low or ended:
-            self.force.update(run.record, low, high, ended)
+            self.force.update(run.record, low, high, ended, run.paused)
             self.legend.show_failed(len(self.force.failed.data["force"]) > 0)
             self._drawn = high
         if turn in (Turn.ITERATIONS, None) and (high > self._counted or ended):
-            self.iterations.update(run.record, self._counted, high, ended)
+            self.iterations.update(run.record, self._counted, high, ended, run.paused)
             self._counted = high
         if high and turn in (Turn.WORDS, None):
             self.player.update(high, len(run.simulation), run.record.columns)
@@ -190,17 +190,16 @@ class Live:
 
     def _follow(self, row: int, column: int) -> None:
         self.contact_map.follow(row, column)
-        self._shown = None
-        if self._run is not None and self._drawn:
-            self._show_step(self._run, self._drawn, self._run.phase.ended)
+        self._show_again()
 
     def _choose_axis(self) -> None:
         """Put on the horizontal axis what is chosen, as far as the run on show goes."""
         axis = horizontal(self.axis.value, *self._reach())
         for view in (self.force, self.iterations, self.element):
             view.show_against(axis)
-        self._axis, self._shown = axis, None
+        self._axis = axis
         self._show_pinned()
+        self._show_again()
 
     def _reach(self) -> tuple[np.ndarray, np.ndarray]:
         """Time [s] and indentation [m] that there are, or may be."""
@@ -216,6 +215,10 @@ class Live:
 
     def _choose_mode(self, mode: str) -> None:
         self.contact_map.show_mode(mode)
+        self._show_again()
+
+    def _show_again(self) -> None:
+        """Show the step on show in another way; after the end no clock would do it."""
         self._shown = None
         if self._run is not None and self._drawn:
             self._show_step(self._run, self._drawn, self._run.phase.ended)

@@ -102,22 +102,24 @@ class ForceView:
         if fit:
             span.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max() or 1.0)
 
-    def update(self, record: Record, low: int, high: int, ended: bool = False) -> None:
-        """Add rows low .. high - 1; `ended` where no more will come."""
+    def update(
+        self, record: Record, low: int, high: int, ended: bool = False, still: bool = False
+    ) -> None:
+        """Add rows low .. high - 1; `ended` where no more will come, `still` where not soon."""
         columns = record.columns
-        self._all.update(columns, np.arange(high), ended)
+        self._all.update(columns, np.arange(high), ended, still)
         self._make_room_for(columns["contact_force"][low:high])
         bad = np.flatnonzero(columns["converged"][:high] == 0)
-        self._bad.update(columns, bad, ended)
+        self._bad.update(columns, bad, ended, still)
         if bad.size:
-            self._fade(columns, high, ended)
+            self._fade(columns, high, ended, still)
 
-    def _fade(self, columns: Mapping[str, np.ndarray], high: int, ended: bool) -> None:
+    def _fade(self, columns: Mapping[str, np.ndarray], high: int, ended: bool, still: bool) -> None:
         """Fade the line of the run, and draw over it what has converged."""
         if self._run.glyph.line_alpha != _FADED:
             self._run.glyph.line_alpha = _FADED
         sound = np.where(columns["converged"] == 0, np.nan, columns["contact_force"])
-        self._sound.update({**columns, "contact_force": sound}, np.arange(high), ended)
+        self._sound.update({**columns, "contact_force": sound}, np.arange(high), ended, still)
 
     def _make_room_for(self, force: np.ndarray) -> None:
         """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""

@@ -108,13 +108,15 @@ class IterationsView:
         self.limit.location = max_iterations
         self.root.y_range.end = 1.1 * min(max_iterations, _SHOWN)
 
-    def update(self, record: Record, low: int, high: int, ended: bool = False) -> None:
-        """Add rows low .. high - 1; `ended` where no more will come."""
+    def update(
+        self, record: Record, low: int, high: int, ended: bool = False, still: bool = False
+    ) -> None:
+        """Add rows low .. high - 1; `ended` where no more will come, `still` where not soon."""
         columns = record.columns
-        self._all.update(columns, np.arange(high), ended)
-        self._margin.update(columns, np.arange(high), ended)
+        self._all.update(columns, np.arange(high), ended, still)
+        self._margin.update(columns, np.arange(high), ended, still)
         span = self.root.y_range
         most = 1.1 * float(columns["iterations"][low:high].max(initial=0))
         span.end = max(span.end, most)
         bad = np.flatnonzero(columns["converged"][:high] == 0)
-        self._bad.update(columns, bad, ended)
+        self._bad.update(columns, bad, ended, still)

@@ -127,7 +127,12 @@ def plot(title: str, y_label: str, height: int | None, top: float) -> figure:
 def cursor(fig: figure) -> Span:
     """A vertical line at the step on show, for plots that are scrubbed; hidden at first."""
     line = Span(
-        dimension="height", line_color=GREY, line_dash="dotted", line_width=2, visible=False
+        dimension="height",
+        line_color=GREY,
+        line_dash="dotted",
+        line_width=2,
+        visible=False,
+        level=LIVE,
     )
     fig.add_layout(line)
     return line

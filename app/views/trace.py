@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 from bokeh.models import ColumnDataSource
 
-#: points of a curve at most: more than pixels of a plot's width; each costs the browser time
+#: points of a curve at most: about two a pixel of a plot's width; each costs the browser time
 POINTS = 1200
 
 
@@ -24,6 +25,19 @@ def extremes(values: np.ndarray, stretch: int) -> np.ndarray:
         if whole < values.size:
             found.append(np.array([whole + least(known[whole:])]))
     return np.unique(np.concatenate(found))
+
+
+def _stretch(rows: float) -> int:
+    """Steps for two points so that a curve of so many steps has room, and a tenth is left for ends
+    of stretches that were drawn early; 1 for a point a step.
+    """
+    return 1 if rows <= POINTS else math.ceil(2.2 * rows / POINTS)
+
+
+def _expected(columns: Mapping[str, np.ndarray], rows: np.ndarray) -> float:
+    """Steps that will be drawn: all of the run if all were so far, else some more than now."""
+    every = rows.size > 0 and rows.size == rows[-1] + 1
+    return columns["time"].size if every else rows.size / 0.6
 
 
 class Trace:
@@ -48,23 +62,31 @@ class Trace:
         self._stretch, self._done, self._last = 1, 0, -1
         self._whole_run: tuple[Mapping[str, np.ndarray], np.ndarray] | None = None
 
-    def update(self, columns: Mapping[str, np.ndarray], rows: np.ndarray, ended: bool) -> None:
+    def update(
+        self, columns: Mapping[str, np.ndarray], rows: np.ndarray, ended: bool, still: bool = False
+    ) -> None:
         """Follow a run whose steps to be drawn are now `rows`, increasing and so far the same.
 
-        The points of a stretch come when it is whole; those of the last one when the run ends.
+        The points of a stretch come when it is whole; those of the last one where the run stands
+        `still` for a while, or has `ended`. After its end nothing comes.
         """
-        chosen = self._chosen(columns, rows, ended)
-        if len(self.source.data["time_ms"]) + chosen.size > self._room(columns, rows):
-            self._done = 0
-            while not self._fits(columns, rows):
-                self._stretch *= 2
-            chosen = np.union1d(rows[:1], self._chosen(columns, rows, ended))
+        if self._whole_run is not None:
+            return
+        chosen = self._chosen(columns, rows, ended or still)
+        size = len(self.source.data["time_ms"]) + chosen.size
+        stretch = max(self._stretch, _stretch(_expected(columns, rows)))
+        if ended:  # now it is known
+            stretch = _stretch(rows.size)
+        full = POINTS if stretch == self._stretch else POINTS // 4  # early where it must be anyway
+        if size > full or (ended and stretch < self._stretch):
+            self._stretch, self._done, still = stretch, 0, True
+            chosen = np.union1d(rows[:1], self._chosen(columns, rows, True))
             self.source.data = self._points(columns, chosen)
         elif chosen.size:
             # as text: each array would be two messages of its own
             points = self._points(columns, chosen)
             self.source.stream({name: column.tolist() for name, column in points.items()})
-        self._done = self._whole(rows, ended)
+        self._done = max(self._done, self._whole(rows, ended or still))
         if chosen.size:
             self._last = int(chosen[-1])
         if ended:
@@ -87,25 +109,16 @@ class Trace:
         shown = np.unique(np.concatenate([ends, around, detail]))
         self.source.data = self._points(columns, shown)
 
-    def _fits(self, columns: Mapping[str, np.ndarray], rows: np.ndarray) -> bool:
-        """Whether the whole run has room, if as many of its steps are drawn as so far."""
-        expected = rows.size * columns["time"].size / (rows[-1] + 1) if rows.size else 0
-        return min(2 / self._stretch, 1) * expected <= POINTS
-
-    def _room(self, columns: Mapping[str, np.ndarray], rows: np.ndarray) -> int:
-        """Points until the curve is thinned; early where it must be: each costs the solver time."""
-        return POINTS if self._fits(columns, rows) else POINTS // 4
-
-    def _whole(self, rows: np.ndarray, ended: bool) -> int:
-        return rows.size if ended else rows.size // self._stretch * self._stretch
+    def _whole(self, rows: np.ndarray, all_of_it: bool) -> int:
+        return rows.size if all_of_it else rows.size // self._stretch * self._stretch
 
     def _chosen(
-        self, columns: Mapping[str, np.ndarray], rows: np.ndarray, ended: bool
+        self, columns: Mapping[str, np.ndarray], rows: np.ndarray, all_of_it: bool
     ) -> np.ndarray:
-        """Steps among those of `rows` not looked at yet; at the end the last one, too."""
-        new = rows[self._done : self._whole(rows, ended)]
+        """Steps among those of `rows` not looked at yet; where all are meant the last one, too."""
+        new = rows[self._done : self._whole(rows, all_of_it)]
         chosen = new[extremes(columns[self._column][new], self._stretch)]
-        if ended and rows.size and rows[-1] != (chosen[-1] if chosen.size else self._last):
+        if all_of_it and rows.size and rows[-1] != (chosen[-1] if chosen.size else self._last):
             chosen = np.append(chosen, rows[-1])
         return chosen
 

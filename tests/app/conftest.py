@@ -9,6 +9,7 @@ import panel as pn
 import pytest
 
 from app.runner import Run
+from app.session import Session
 from tyrecontact import Scenario
 
 
@@ -49,3 +50,11 @@ def wait_for() -> Callable[[Callable[[], bool]], None]:
             time.sleep(0.002)
 
     return wait
+
+
+@pytest.fixture
+def session(small: Scenario) -> Session:
+    made = Session()
+    made.controls.load("default", small)
+    made.whatif.pace.value = "as fast as it can"
+    return made

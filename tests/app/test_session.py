@@ -15,42 +15,13 @@ from app.phase import Phase
 from app.session import Session
 from app.views import inputs, trace
 from app.views.style import DESK, HALL
+from tests.app.frames import frame, frames_until_step, frames_until_the_end
 from tyrecontact import Scenario, presets
-
-
-@pytest.fixture
-def session(small: Scenario) -> Session:
-    made = Session()
-    made.controls.load("default", small)
-    made.whatif.pace.value = "as fast as it can"
-    return made
-
-
-def _frame(session: Session) -> None:
-    session.browser.shown = session.browser.frame  # a browser that keeps up
-    session.frame()
-
-
-def _frames_until_the_end(session: Session) -> None:
-    limit = time.monotonic() + 60
-    while not session.run.phase.ended:
-        _frame(session)
-        time.sleep(0.01)
-        assert time.monotonic() < limit
-    _frame(session)
-
-
-def _frames_until_step(session: Session, count: int) -> None:
-    limit = time.monotonic() + 60
-    while session.run.record is None or session.run.record.count < count:
-        time.sleep(0.005)
-        assert time.monotonic() < limit
-    _frame(session)
 
 
 def test_a_run_is_drawn_row_by_row_to_its_end(session: Session) -> None:
     session.start()
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     assert session.run.phase is Phase.FINISHED
     force = session.run.results().contact_force
     np.testing.assert_array_equal(session.live.force.source.data["force"], force)
@@ -67,7 +38,7 @@ def test_a_run_with_more_than_is_kept_and_drawn_is_shown_to_its_end(
     monkeypatch.setattr(trace, "POINTS", 20)
     session.controls.change("numerics.field_memory", 10 * 36 * 33.0)  # of 52 steps
     session.start()
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     record, results = session.run.record, session.run.results()
     assert record.field_stride > 1
     force = np.asarray(session.live.force.source.data["force"])
@@ -79,7 +50,7 @@ def test_a_run_with_more_than_is_kept_and_drawn_is_shown_to_its_end(
 def test_nothing_is_sent_to_a_browser_that_does_not_keep_up(session: Session) -> None:
     session.whatif.pace.value = "in about 20 s"
     session.start()
-    _frames_until_step(session, 2)
+    frames_until_step(session, 2)
     session.browser.shown = -5
     session.browser.send_frame()
     drawn = len(session.live.force.source.data["force"])
@@ -87,7 +58,7 @@ def test_nothing_is_sent_to_a_browser_that_does_not_keep_up(session: Session) ->
     session.browser._sent = time.monotonic()
     session.frame()
     assert len(session.live.force.source.data["force"]) == drawn
-    _frame(session)
+    frame(session)
     assert len(session.live.force.source.data["force"]) > drawn
     session.close()
 
@@ -96,11 +67,11 @@ def test_a_second_run_supersedes_the_first_and_nothing_of_it_is_drawn(session: S
     session.whatif.pace.value = "in about 20 s"
     session.start()
     first = session.run
-    _frames_until_step(session, 2)
+    frames_until_step(session, 2)
     session.whatif.pace.value = "as fast as it can"
     session.controls.change("loading.max_indentation", 0.05e-3)
     session.start()
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     assert first.join(10)
     assert first.phase is Phase.STOPPED
     drawn = np.asarray(session.live.force.source.data["indentation_um"])
@@ -112,7 +83,7 @@ def test_live_runs_every_change_and_ends_with_the_last_one(session: Session) -> 
     for rate in (0.08, 0.06, 0.05):
         session.controls.field("loading.rate").root.value = rate * 1e3
     assert session.run.scenario.loading.rate == pytest.approx(0.05)
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     assert session.run.baseline is not None
     assert len(session.live.force.baseline.data["force"]) > 0
     session.whatif.live.value = False
@@ -124,21 +95,21 @@ def test_live_runs_every_change_and_ends_with_the_last_one(session: Session) -> 
 def test_pause_step_go_on_and_stop(session: Session) -> None:
     session.whatif.pace.value = "in about 20 s"
     session.step()
-    _frames_until_step(session, 1)
+    frames_until_step(session, 1)
     assert session.run.phase is Phase.PAUSED
     assert session.run.record.count == 1
-    _frame(session)
+    frame(session)
     assert session.header.pause.description == "Go on (Space)"
     session.step()
-    _frames_until_step(session, 2)
+    frames_until_step(session, 2)
     session.toggle()
-    _frames_until_step(session, 4)
+    frames_until_step(session, 4)
     session.toggle()
     while session.run.phase is not Phase.PAUSED:
         time.sleep(0.005)
     session.stop()
     assert session.run.join(10)
-    _frame(session)
+    frame(session)
     assert session.run.phase is Phase.STOPPED
     assert len(session.live.force.source.data["force"]) == session.run.record.count
     assert "Stopped at step" in session.headline.sentence
@@ -156,7 +127,7 @@ def test_keys_do_what_the_buttons_do(session: Session) -> None:
         while session.run.phase is not phase:
             assert time.monotonic() < limit
             time.sleep(0.005)
-        _frames_until_step(session, 1)
+        frames_until_step(session, 1)
     session.browser.on_key("ArrowLeft")
     assert session.live.player.step == max(session.run.record.count - 2, 0) or (
         session.run.record.count == 1
@@ -171,7 +142,7 @@ def test_keys_do_what_the_buttons_do(session: Session) -> None:
 
 def test_scrubbing_shows_another_map_and_marks_the_place(session: Session) -> None:
     session.start()
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     newest = session.live.contact_map.drawing.image.data
     session.live.player.scrub(10)
     assert session.live.contact_map.drawing.image.data is not newest
@@ -194,12 +165,12 @@ def test_leaving_ends_the_run(session: Session) -> None:
 def test_what_is_refused_during_a_run_stays_to_be_read(session: Session) -> None:
     session.whatif.pace.value = "in about 20 s"
     session.start()
-    _frames_until_step(session, 2)
+    frames_until_step(session, 2)
     session.controls.change("tread.thickness", -1.0)
-    _frame(session)
+    frame(session)
     assert "tread.thickness must be" in session.headline.notice
     session.controls.change("tread.thickness", 11e-3)
-    _frame(session)
+    frame(session)
     assert session.headline.notice == ""
     session.close()
 
@@ -207,13 +178,13 @@ def test_what_is_refused_during_a_run_stays_to_be_read(session: Session) -> None
 def test_a_run_that_is_refused_says_why_and_the_next_one_works(session: Session) -> None:
     session.controls.change("springs.exchange_count", 100)  # of 36 springs
     session.start()
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     assert session.run.phase is Phase.REFUSED
     asked = "springs.exchange_count must be at most half the elements, 18, got 100"
     assert asked in session.headline.sentence
     session.controls.change("springs.exchange_count", 4)
     session.start()
-    _frames_until_the_end(session)
+    frames_until_the_end(session)
     assert session.run.phase is Phase.FINISHED
 
 

@@ -41,12 +41,12 @@ _MOVES = "() => Bokeh.documents[0].get_model_by_name('force').data.force.length 
 
 def main() -> int:
     sys.setswitchinterval(0.001)  # as app/main.py does
-    _solve_alone()  # loads and compiles
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
             executable_path=next(filter(None, map(shutil.which, NAMES))), args=ARGUMENTS
         )
         rows = _first_visit(browser)
+        _solve_alone()  # loads and compiles
         with served(_build) as address:
             tab = browser.new_page(viewport={"width": 1440, "height": 900})
             tab.goto(address)
@@ -99,12 +99,12 @@ def _first_visit(browser: Browser) -> list[tuple[str, str, str]]:
         seen = time.perf_counter() - began
         tab.get_by_role("button", name="Run", exact=True).click()
         tab.wait_for_function(_MOVES)
-        moving = time.perf_counter() - began - seen
+        moving = time.perf_counter() - began
         tab.close()
     return [
         ("first visit to a new server: the page with its word to visitors", f"{seen:.1f} s",
          "<= 10 s"),
-        ("from there: one click, and the curve grows", f"{moving:.1f} s", "<= 10 s in all"),
+        ("and until, after one click, the curve grows", f"{moving:.1f} s", ""),
     ]  # fmt: skip
 
 

@@ -76,16 +76,27 @@ class Live:
         self._looking = False
         self._axis = horizontal("indentation", *EMPTY)
         self._run: Run | None = None
+        self._next: Run | None = None
         self._drawn = self._counted = 0
         self._shown: tuple[int, bool] | None = None
         self._fitted = False
         self.root = arrange(self)
 
     def begin(self, run: Run, keep_scale: bool) -> None:
-        """Forget the last run; its scale stays where the next one is compared with it."""
+        """From the next frame on show this run; the scale stays if it is to be compared with the
+        last one.
+
+        The plots are cleared by that frame, too: a frame on its way to the browser may be late,
+        and only other frames come after it for sure.
+        """
+        self._next = run
+        self._fitted = self._fitted and keep_scale
+
+    def _forget(self, run: Run) -> None:
+        """Clear the plots of the last run."""
         self._run, self._drawn, self._counted, self._shown = run, 0, 0, None
         self._prepared = self._compared = False
-        self._fitted = self._fitted and keep_scale
+        self._next = None
         self.force.reset()
         self.iterations.reset(run.scenario.numerics.max_iterations)
         self.contact_map.clear()
@@ -95,6 +106,8 @@ class Live:
         """Show what has come since the last frame, and the step that is asked for; where it is the
         turn of one of them, no more than that and the force.
         """
+        if run is self._next:
+            self._forget(run)
         if run.simulation is None or run.record is None:
             return
         if not self._prepared:
@@ -102,11 +115,13 @@ class Live:
         if run.baseline is not None and not self._compared:
             self._compare(run)
         low, high = self._drawn, run.record.count
-        if high > low or ended:
+        # a pause draws what was left open, though no step may have come since the last frame
+        still = ended or run.paused
+        if high > low or still:
             self.force.update(run.record, low, high, ended, run.paused)
             self.legend.show_failed(len(self.force.failed.data["force"]) > 0)
             self._drawn = high
-        if turn in (Turn.ITERATIONS, None) and (high > self._counted or ended):
+        if turn in (Turn.ITERATIONS, None) and (high > self._counted or still):
             self.iterations.update(run.record, self._counted, high, ended, run.paused)
             self._counted = high
         if high and turn in (Turn.WORDS, None):

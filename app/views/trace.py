@@ -85,11 +85,7 @@ class Trace:
         elif chosen.size:
             # as text: each array would be two messages of its own
             points = self._points(columns, chosen)
-            texts = {name: column.tolist() for name, column in points.items()}
-            if len(self.source.data["time_ms"]):
-                self.source.stream(texts)
-            else:  # a frame of the run before may reach the browser after `clear`: it is replaced
-                self.source.data = texts
+            self.source.stream({name: column.tolist() for name, column in points.items()})
         self._done = max(self._done, self._whole(rows, ended or still))
         if chosen.size:
             self._last = int(chosen[-1])

@@ -22,8 +22,12 @@ def frames_until_the_end(session: Session) -> None:
 
 
 def frames_until_step(session: Session, count: int) -> None:
+    wait_for_step(session, count)
+    frame(session)
+
+
+def wait_for_step(session: Session, count: int) -> None:
     limit = time.monotonic() + 60
     while session.run.record is None or session.run.record.count < count:
         time.sleep(0.005)
         assert time.monotonic() < limit
-    frame(session)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bokeh.document import Document
 
 from app.views import trace
 from app.views.force import ForceView
@@ -195,16 +194,3 @@ def test_what_was_looked_into_stays_when_the_end_is_drawn_again() -> None:
     looked = found.source.data
     found.update(rows, np.arange(LONG), True)
     assert found.source.data is looked
-
-
-def test_the_first_points_replace_what_the_browser_has() -> None:
-    """A frame of the run before may be on its way when its curve is cleared."""
-    found, rows = Trace("force", "contact_force"), columns(100)
-    kinds: list[str] = []
-    document = Document()
-    document.add_root(found.source)
-    document.on_change(lambda event: kinds.append(type(event).__name__))
-    for high in (3, 6):
-        found.update(rows, np.arange(high), False)
-    assert len(kinds) == 2
-    assert (kinds[0] == "ColumnsStreamedEvent", kinds[1]) == (False, "ColumnsStreamedEvent")

@@ -2,6 +2,7 @@
 // Each change holds for all plots, and for what Bokeh does here alone; the pictures are the same.
 const {InlineStyleSheet} = Bokeh.require("core/dom")
 const {VisualProperties} = Bokeh.require("core/visuals/visual")
+const {PlotView} = Bokeh.require("models/plots/plot_canvas")
 const {GlyphRendererView} = Bokeh.require("models/renderers/glyph_renderer")
 
 // The place of every part of a plot is written anew at every painting, and the page is styled anew
@@ -21,5 +22,14 @@ VisualProperties.prototype._get_css_value = () => ""
 // What is drawn while a run goes on lies on a canvas of its own, so that axes need not be painted
 // again. Bokeh does not keep within the frame what lies there.
 Object.defineProperty(GlyphRendererView.prototype, "needs_clip", {get: () => true})
+
+// The text of every axis is measured at each painting, whether the plot is to be laid out anew. That
+// of axes that are not painted has not changed.
+const layOut = PlotView.prototype._invalidate_layout_if_needed
+PlotView.prototype._invalidate_layout_if_needed = function() {
+  const painters = [...this._invalidated_painters]
+  const growing = painters.length > 0 && painters.every(({model}) => model.level === "overlay")
+  if (this._needs_layout || this._invalidate_all || !growing) { layOut.call(this) }
+}
 
 export function render({el}) { el.style.display = "none" }

@@ -7,12 +7,24 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from tests.browser.conftest import Visit
 
+#: view of the plot of the force
+_VIEW = """() => {
+  const source = Bokeh.documents[0].get_model_by_name("force")
+  const draws = (figure) => figure.renderers.some((one) => one.data_source === source)
+  return Bokeh.index.query(({model}) => model.type === "Figure" && draws(model)).next().value
+}"""
+#: left edge of its frame, after its vertical axis was changed
+_EDGE = f"""async (end) => {{
+  const view = ({_VIEW})()
+  view.model.y_range.setv({{start: 0, end}})
+  await new Promise((resolve) => setTimeout(resolve, 500))
+  return view.frame.bbox.left
+}}"""
 #: of the plot of the force: pixels drawn on the canvas of the run within the frame and outside it,
 #: and paintings of its horizontal axis, after its axes were changed and so much was awaited
 _PAINTED = """async ([end, rows]) => {
   const source = Bokeh.documents[0].get_model_by_name("force")
-  const draws = (figure) => figure.renderers.some((one) => one.data_source === source)
-  const [view] = Bokeh.index.query(({model}) => model.type === "Figure" && draws(model))
+  const view = (VIEW)()
   view.model.y_range.setv({start: 0, end})
   const axis = view.renderer_views.get(view.model.below[0])
   let axes = 0
@@ -38,7 +50,7 @@ _PAINTED = """async ([end, rows]) => {
   const outside = drawn(0, 0, canvas.width, top - 2) + drawn(right, 0, canvas.width, canvas.height)
   axis._paint = paint
   return [inside, outside, axes]
-}"""
+}""".replace("VIEW", _VIEW)
 
 
 def test_a_run_leaves_neither_its_frame_nor_its_canvas(visit: Visit) -> None:
@@ -55,3 +67,14 @@ def test_a_run_leaves_neither_its_frame_nor_its_canvas(visit: Visit) -> None:
     inside, outside, _ = visit.tab.evaluate(_PAINTED, [90, 0])
     assert inside > 20
     assert outside == 0
+
+
+def test_a_plot_whose_numbers_grow_wider_is_laid_out_anew_while_a_run_goes_on(visit: Visit) -> None:
+    visit.choose_pace("in about 6 s")
+    visit.press("Run")
+    visit.wait_for_rows(20)
+    narrow, wide, again = (visit.tab.evaluate(_EDGE, end) for end in (500, 123456789.5, 500))
+    assert visit.sentence().startswith("Step ")
+    assert wide > narrow
+    assert again == narrow
+    visit.press("Stop")

@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import numpy as np
-from playwright.sync_api import Browser
+from playwright.sync_api import BrowserContext
 
 from tests.browser.conftest import Visit
 
 
-def test_two_tabs_run_what_each_of_them_says(browser: Browser, address: str) -> None:
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
-    first, second = Visit(context, address), Visit(context, address)
+def test_two_tabs_run_what_each_of_them_says(
+    visit: Visit, desktop: BrowserContext, address: str
+) -> None:
+    first, second = visit, Visit(desktop, address)
     second.choose_preset("quasi-static")
-    for visit in (first, second):
-        visit.choose_pace("in about 6 s")
-        visit.press("Run")
-    for visit in (first, second):
-        visit.wait_for_sentence("Complete", 120)
-    dynamic, still = (np.array(visit.column("force", "force")) for visit in (first, second))
+    for each in (first, second):
+        each.choose_pace("in about 6 s")
+        each.press("Run")
+    for each in (first, second):
+        each.wait_for_sentence("Complete", 120)
+    dynamic, still = (np.array(each.column("force", "force")) for each in (first, second))
     assert len(dynamic) == len(still) == 342
     # the moving tread resists more, everywhere but at the very first touch
     assert (dynamic[50:] > still[50:]).all()
-    assert first.complaints == second.complaints == []
-    context.close()
+    assert second.complaints == []
+    second.tab.close()
 
 
 def test_in_live_mode_only_the_last_run_is_on_the_screen(visit: Visit) -> None:

@@ -12,6 +12,20 @@ from app.slots import Slots
 from tyrecontact.errors import InputError
 
 
+class Slow:
+    """A job that has begun, and goes on when it may."""
+
+    def __init__(self) -> None:
+        self.begun, self.go = threading.Event(), threading.Event()
+        self.told: list[bool] = []
+
+    def __call__(self, wanted: Callable[[], bool]) -> str:
+        self.begun.set()
+        assert self.go.wait(10)
+        self.told.append(wanted())
+        return "done"
+
+
 def test_the_answer_is_there_when_it_is_taken() -> None:
     woken = threading.Event()
     latest = Latest(woken.set)
@@ -24,19 +38,13 @@ def test_the_answer_is_there_when_it_is_taken() -> None:
 
 
 def test_a_later_question_takes_the_place_of_those_before() -> None:
-    begun, go, answered = threading.Event(), threading.Event(), []
+    slow, answered = Slow(), []
     latest = Latest(lambda: answered.append(1))
-
-    def slow(wanted: Callable[[], bool]) -> str:
-        begun.set()
-        assert go.wait(10)
-        return "still wanted" if wanted() else "not wanted"
-
     latest.ask(slow)
-    assert begun.wait(10)
+    assert slow.begun.wait(10)
     latest.ask(lambda _: "second")
     latest.ask(lambda _: "third")
-    go.set()
+    slow.go.set()
     assert latest.join(10)
     assert latest.take() == ("third", "")
     assert len(answered) == 1
@@ -62,23 +70,16 @@ def test_a_refusal_is_one_sentence() -> None:
 
 
 def test_after_the_close_nobody_is_woken_and_nothing_begins() -> None:
-    begun, go, woken = threading.Event(), threading.Event(), []
+    slow, woken = Slow(), []
     latest = Latest(lambda: woken.append(1))
-    found = []
-
-    def slow(wanted: Callable[[], bool]) -> None:
-        begun.set()
-        assert go.wait(10)
-        found.append(wanted())
-
     latest.ask(slow)
-    assert begun.wait(10)
+    assert slow.begun.wait(10)
     latest.close()
-    go.set()
+    slow.go.set()
     assert latest.join(10)
     latest.ask(slow)
     assert latest.join(10)
-    assert (woken, found, latest.take()) == ([], [False], None)
+    assert (woken, slow.told, latest.take()) == ([], [False], None)
 
 
 def test_what_was_dropped_is_not_answered_even_if_the_answer_is_there() -> None:
@@ -123,25 +124,19 @@ def test_a_thread_that_could_not_be_had_is_asked_for_again(monkeypatch: pytest.M
 
 
 def test_jobs_of_many_screens_take_turns_and_who_is_gone_waits_no_longer() -> None:
-    slots, begun, go = Slots(1), threading.Event(), threading.Event()
+    slots, slow = Slots(1), Slow()
     first, second, third = (Latest(lambda: None, slots) for _ in range(3))
-
-    def slow(_: Callable[[], bool]) -> str:
-        begun.set()
-        assert go.wait(10)
-        return "first"
-
     first.ask(slow)
-    assert begun.wait(10)
+    assert slow.begun.wait(10)
     second.ask(lambda _: "second")
     third.ask(lambda _: "third")
     second.close()
     assert second.join(10)
     assert third.take() is None
     assert (slots.held, slots.waiting) == (1, 1)
-    go.set()
+    slow.go.set()
     assert all(latest.join(10) for latest in (first, third))
     assert [latest.take() for latest in (first, second, third)] == [
-        ("first", ""), None, ("third", "")
+        ("done", ""), None, ("third", "")
     ]  # fmt: skip
     assert (slots.held, slots.waiting) == (0, 0)

@@ -1,6 +1,7 @@
 // How Bokeh paints, on this page: many frames a second on a machine that is busy with the solver.
 // Each change holds for all plots, and for what Bokeh does here alone; the pictures are the same.
 const {InlineStyleSheet} = Bokeh.require("core/dom")
+const {CanvasLayer} = Bokeh.require("core/util/canvas")
 const {VisualProperties} = Bokeh.require("core/visuals/visual")
 const {PlotView} = Bokeh.require("models/plots/plot_canvas")
 const {GlyphRendererView} = Bokeh.require("models/renderers/glyph_renderer")
@@ -30,6 +31,12 @@ PlotView.prototype._invalidate_layout_if_needed = function() {
   const painters = [...this._invalidated_painters]
   const growing = painters.length > 0 && painters.every(({model}) => model.level === "overlay")
   if (this._needs_layout || this._invalidate_all || !growing) { layOut.call(this) }
+}
+
+// It clears from half a pixel inside: of what was drawn over the edge a shade would stay.
+CanvasLayer.prototype.clear = function() {
+  const {x, y, width, height} = this.bbox
+  this.ctx.clearRect(x - 1, y - 1, width + 2, height + 2)
 }
 
 export function render({el}) { el.style.display = "none" }

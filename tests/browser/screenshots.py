@@ -1,57 +1,45 @@
-"""Make the README's pictures: `python tests/browser/screenshots.py` serves the page, shoots it."""
+"""Make the README's pictures: `python -m tests.browser.screenshots` serves the page, shoots it."""
 
 from __future__ import annotations
 
 import re
 import shutil
-import subprocess
 import sys
 import time
-import urllib.request
 from collections.abc import Callable
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from playwright.sync_api import Page, sync_playwright
 
-ROOT = Path(__file__).parents[2]
-PORT = 5077
+from tests.browser.chromium import ARGUMENTS, NAMES
+from tests.browser.serving import served_by_command
+
+ASSETS = Path(__file__).parents[2] / "assets"
 DESKTOP = {"width": 1440, "height": 900}
 
 
 def main(names: list[str]) -> None:
-    command = [sys.executable, "-m", "panel", "serve", "app", "--port", str(PORT), "--liveness"]
-    server = subprocess.Popen(command, cwd=ROOT)
-    try:
-        _wait_until_alive()
-        with sync_playwright() as playwright:
-            browser = playwright.chromium.launch(
-                executable_path=shutil.which("chromium"), args=["--headless", "--no-sandbox"]
-            )
-            for name in names or SHOTS:
-                dark, prepare = SHOTS[name]
-                tab = browser.new_page(viewport=DESKTOP)
-                tab.set_default_timeout(120_000)
-                tab.goto(f"http://localhost:{PORT}/app")
-                tab.get_by_text("Press Run").wait_for()
-                if dark:
-                    tab.get_by_role("button", name="Toggle theme").click()
-                prepare(tab)
-                time.sleep(1.5)
-                tab.screenshot(path=ROOT / "assets" / name)
-                tab.close()
-            browser.close()
-    finally:
-        server.terminate()
-
-
-def _wait_until_alive() -> None:
-    for _ in range(100):
-        try:
-            with urllib.request.urlopen(f"http://localhost:{PORT}/liveness", timeout=1):
-                return
-        except OSError:
-            time.sleep(0.2)
-    raise SystemExit("the server did not answer")
+    chromium = next(filter(None, map(shutil.which, NAMES)))
+    with (
+        TemporaryDirectory() as folder,
+        served_by_command(Path(folder) / "log") as address,
+        sync_playwright() as playwright,
+    ):
+        browser = playwright.chromium.launch(executable_path=chromium, args=ARGUMENTS)
+        for name in names or SHOTS:
+            dark, prepare = SHOTS[name]
+            tab = browser.new_page(viewport=DESKTOP)
+            tab.set_default_timeout(120_000)
+            tab.goto(address)
+            tab.get_by_text("Press Run").wait_for()
+            if dark:
+                tab.get_by_role("button", name="Toggle theme").click()
+            prepare(tab)
+            time.sleep(1.5)
+            tab.screenshot(path=ASSETS / name)
+            tab.close()
+        browser.close()
 
 
 def _choose(tab: Page, preset: str) -> None:

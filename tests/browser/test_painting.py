@@ -20,6 +20,15 @@ _EDGE = f"""async (end) => {{
   await new Promise((resolve) => setTimeout(resolve, 500))
   return view.frame.bbox.left
 }}"""
+#: whether what stands at the corner of its canvas is gone when it is painted again
+_WIPED = f"""async () => {{
+  const view = ({_VIEW})(), {{ctx}} = view.canvas_view.primary
+  ctx.fillStyle = "#000"
+  ctx.fillRect(0, 0, 9, 9)
+  view.request_paint()
+  await new Promise((resolve) => setTimeout(resolve, 500))
+  return ctx.getImageData(0, 0, 9, 9).data.every((value, place) => place % 4 === 3 || value > 250)
+}}"""
 #: of the plot of the force: pixels drawn on the canvas of the run within the frame and outside it,
 #: and paintings of its horizontal axis, after its axes were changed and so much was awaited
 _PAINTED = """async ([end, rows]) => {
@@ -67,6 +76,7 @@ def test_a_run_leaves_neither_its_frame_nor_its_canvas(visit: Visit) -> None:
     inside, outside, _ = visit.tab.evaluate(_PAINTED, [90, 0])
     assert inside > 20
     assert outside == 0
+    assert visit.tab.evaluate(_WIPED)
 
 
 def test_a_plot_whose_numbers_grow_wider_is_laid_out_anew_while_a_run_goes_on(visit: Visit) -> None:

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from enum import Enum
 from typing import Any
 
-import numpy as np
 import panel as pn
 import panel_material_ui as pmui
 
 from .live_layout import arrange
 from .player import Player
+from .reach import Reach
 from .runner import Run
 from .shelf import Shelf
 from .views.contact_map import ContactMapView
@@ -79,7 +79,7 @@ class Live:
         self._next: Run | None = None
         self._drawn = self._counted = 0
         self._shown: tuple[int, bool] | None = None
-        self._fitted = False
+        self._fitted, self._reach = False, Reach()
         self.root = arrange(self)
 
     def begin(self, run: Run, keep_scale: bool) -> None:
@@ -97,9 +97,12 @@ class Live:
         self._run, self._drawn, self._counted, self._shown = run, 0, 0, None
         self._prepared = self._compared = False
         self._next = None
+        self._reach.clear()
         self.force.reset()
         self.iterations.reset(run.scenario.numerics.max_iterations)
+        self.legend.show_failed(False)
         self.contact_map.clear()
+        self.element.rest()
         self.player.reset()
 
     def draw(self, run: Run, ended: bool, turn: Turn | None = None) -> None:
@@ -121,6 +124,8 @@ class Live:
             self.force.update(run.record, low, high, ended, run.paused)
             self.legend.show_failed(len(self.force.failed.data["force"]) > 0)
             self._drawn = high
+            if self._reach.widen(run, low, high):
+                self._choose_axis()
         if turn in (Turn.ITERATIONS, None) and (high > self._counted or still):
             self.iterations.update(run.record, self._counted, high, ended, run.paused)
             self._counted = high
@@ -172,12 +177,16 @@ class Live:
         road = run.scenario.road
         self.contact_map.reset(road.size, road.elements, peak)
         self.element.prepare(run)
+        if self.element.element is None:
+            self.contact_map.forget()
         self._prepared = True
         self._choose_axis()
 
     def _compare(self, run: Run) -> None:
         assert run.baseline is not None
+        assert run.record is not None
         self.force.compare_with(run.baseline, fit=not self._fitted)
+        self.force.make_room_for(run.record.columns["contact_force"][: self._drawn])
         self.contact_map.expect(run.baseline.peak_element_force)
         self._fitted = self._compared = True
         self._choose_axis()
@@ -209,20 +218,12 @@ class Live:
 
     def _choose_axis(self) -> None:
         """Put on the horizontal axis what is chosen, as far as the run on show goes."""
-        axis = horizontal(self.axis.value, *self._reach())
+        axis = horizontal(self.axis.value, *self._reach.of(self._run))
         for view in (self.force, self.iterations, self.element):
             view.show_against(axis)
         self._axis = axis
         self._show_pinned()
         self._show_again()
-
-    def _reach(self) -> tuple[np.ndarray, np.ndarray]:
-        """Time [s] and indentation [m] that there are, or may be."""
-        run = self._run
-        if run is None or run.simulation is None:
-            return EMPTY
-        depth = run.simulation.schedule.drive if run.baseline is None else run.baseline.met
-        return run.simulation.schedule.time, depth
 
     def _show_pinned(self) -> None:
         self.pinned.show(self._shelf.pinned, self._axis)

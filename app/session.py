@@ -30,7 +30,7 @@ from .whatif import WhatIf
 
 #: milliseconds between two looks at what the solver has left
 FRAME = 60
-#: looks at the solver from one to the next drawing of a tab at rest while a run goes on
+#: frames from one to the next drawing of a tab at rest while a run goes on
 _TAB_PERIOD = 30
 #: least time from one run to the next where every change is run [s]
 _LIVE_PAUSE = 0.15
@@ -132,7 +132,7 @@ class Session:
 
     def frame(self) -> None:
         """Show what the solver has left since the last frame, if the browser keeps up."""
-        run, self._ticks = self.run, self._ticks + 1
+        run = self.run
         if run is None or not self.browser.is_ready:
             return
         try:
@@ -146,6 +146,7 @@ class Session:
             raise
 
     def _show(self, run: Run) -> None:
+        self._ticks += 1
         ended = run.phase.ended  # read before the rows: then no row comes after it
         if self.live.player.playing:
             self.live.player.tick(FRAME / 1e3)

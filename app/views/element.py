@@ -18,7 +18,7 @@ from tyrecontact.simulation import Simulation
 from ..runner import Run
 from .element_chooser import ElementChooser
 from .element_plots import ForcePlots, HeightsPlot, enlarge
-from .element_words import INVITATION, OFFER, say
+from .element_words import INVITATION, OFFER, WAITING, say
 from .map_modes import Fields
 from .style import DESK, Horizontal, Size
 from .trace import extremes
@@ -60,7 +60,7 @@ class ElementView:
         self.offer = pmui.Button(label=OFFER, size="small", variant="outlined", margin=(2, 5))
         self.offer.on_click(lambda _: self.open())
         self.root = pn.Column(self._words, self.offer, sizing_mode="stretch_width", margin=(4, 8))
-        self._begin(None)
+        self.rest()
 
     def open(self) -> None:
         """Offer the choice by keyboard."""
@@ -72,38 +72,46 @@ class ElementView:
 
     def prepare(self, run: Run) -> None:
         """Take a run whose simulation is made; an element that it has, too, is followed on."""
-        self._begin(run)
+        self.rest()
         elements = run.scenario.road.elements
         if self.chooser is not None:
             self.chooser.bound(elements)
-        if self.element is not None and max(self.element) < elements:
-            self.follow(*self.element)
-        else:
+        if self.element is not None and max(self.element) >= elements:
             self.forget()
+        self._run = run
+        if self.element is not None:
+            self.follow(*self.element)
 
     def follow(self, row: int, column: int) -> None:
         """Follow an element; before there is a run, as soon as there is one."""
         self.element = row, column
         if self._run is None or self._run.simulation is None:
-            self._say(f"Element row {row}, column {column} is followed in the next run: press Run.")
+            self._say(WAITING.format(row, column))
             return
         self.open()
         self._build()
         assert self.chooser is not None
         self.chooser.show(row, column)
         self._show_inputs(self._run.simulation)
-        self._drawn, self._rows = None, 0
+        self._drawn, self._covered = None, 0
         self._draw()
         self.on_follow(row, column)
 
     def forget(self) -> None:
         """Follow none."""
         self.element = None
+        self.rest()
+        if self.forces is not None:
+            self._row.visible = False
+
+    def rest(self) -> None:
+        """Show no run; the element is followed on in the next one."""
+        self._run, self._step, self._ended = None, 0, False
+        self._drawn, self._covered = None, 0
         if self.forces is not None and self.heights is not None:
             self.forces.clear()
             self.heights.clear()
-            self._row.visible = False
-        self._say(INVITATION)
+        self._say(INVITATION if self.element is None else WAITING.format(*self.element))
 
     def update(self, run: Run, step: int, ended: bool) -> None:
         """Show a step of the run that was prepared; `ended` where no more will come."""
@@ -130,24 +138,14 @@ class ElementView:
         if self.forces is not None:
             self.forces.darken(dark)
 
-    def _begin(self, run: Run | None) -> None:
-        self._run, self._step, self._ended = run, 0, False
-        self._rows = 0
-        self._drawn = None
-        self._say(INVITATION)
-
     def _build(self) -> None:
         """Make the plots, once."""
         if self.forces is None:
             self.forces, self.heights = ForcePlots(), HeightsPlot()
             figures = (self.forces.history, self.forces.spring)
             panes = [pn.pane.Bokeh(fig, sizing_mode="stretch_width") for fig in figures]
-            self._row = pn.Row(
-                *panes,
-                pn.pane.Bokeh(self.heights.root),
-                stylesheets=[_SIDE_BY_SIDE],
-                sizing_mode="stretch_width",
-            )
+            panes.append(pn.pane.Bokeh(self.heights.root))
+            self._row = pn.Row(*panes, stylesheets=[_SIDE_BY_SIDE], sizing_mode="stretch_width")
             self.root.append(self._row)
             self.enlarge(self._size)
             self.darken(self._dark)
@@ -197,12 +195,13 @@ class ElementView:
         assert self.element is not None
         assert self.forces is not None
         steps, force = record.history("element_force", *self.element)
-        enough = len(steps) >= self._rows + max(1.0, _GROWTH * self._rows)
-        if not enough and not (self._ended and len(steps) != self._rows):
+        reached = int(steps[-1]) + 1  # of a long run ever fewer are kept
+        enough = reached >= self._covered + max(1.0, _GROWTH * self._covered)
+        if not enough and not (self._ended and reached != self._covered):
             return
         _, depth = record.history("compression", *self.element)
         shared = min(force.size, depth.size)  # a step may have come between the two
-        self._rows = shared
+        self._covered = int(steps[shared - 1]) + 1
         shown = extremes(force[:shared], max(1, -(-2 * shared // _POINTS)))
         shown = np.union1d(shown, [0, shared - 1])
         self.forces.show_path(_points(record, steps[shown], force[shown], depth[shown]))

@@ -11,6 +11,7 @@ from tyrecontact.contact.bonds import ElementState
 from .headline import three_digits
 
 INVITATION = "Tap an element of the map to follow it."
+WAITING = "Element row {}, column {} is followed in the next run."
 OFFER = "Choose it by row and column"
 
 

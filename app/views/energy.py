@@ -40,6 +40,7 @@ _GONE = {
 }
 _PREFIXES = ("", "m", "µ", "n", "p", "f", "a")  #: no more is worth telling
 _TIME = "Time [ms]"
+_HIGH = " The first plot is as high as a run that goes well needs; the second shows all."
 
 
 class EnergyView(TabView):
@@ -60,16 +61,17 @@ class EnergyView(TabView):
             return Reading("Road and tread have not met yet: no work has been done.")
         created = key_figures.energy_created(columns)
         usual = _work_at_rest(seen.run.baseline)
-        most = usual if created is not None else float(np.abs(columns["drive_work"]).max())
+        wild = created is not None and usual > 0
+        most = usual if wild else float(np.abs(columns["drive_work"]).max())
         # of a run under way what is to come, so that the unit stays
         scale, prefix = _prefix(most if seen.ended else max(usual, most))
         plots = {
-            "account": _account(columns, scale, f"{prefix}J", None if created is None else usual),
+            "account": _account(columns, scale, f"{prefix}J", usual if wild else None),
             "each": _each(columns),
             "missing": _missing(columns),
         }
         bad = created is not None
-        told = _on_creation(columns, created) if created is not None else _on_account(columns)
+        told = _on_account(columns) if created is None else _on_creation(columns, created, wild)
         return Reading(told, bad, _figures(columns), plots)
 
 
@@ -177,14 +179,15 @@ def _missing(columns: Mapping[str, np.ndarray]) -> hv.Overlay:
     return lines("Missing from the account, of the work", _TIME, label, [line], legend=False)
 
 
-def _on_creation(columns: Mapping[str, np.ndarray], step: int) -> str:
+def _on_creation(columns: Mapping[str, np.ndarray], step: int, wild: bool) -> str:
+    """Bad news; `wild` where the first plot does not hold all of it."""
     layer = columns["layer_work"]
     deep = three_digits(columns["indentation"][step] * 1e6)
     return (
         f"From step {step + 1} at {deep} µm on the tread has given back more energy than it got, "
         f"{joules(-float(layer.min()))} more at the worst, which no tread can: stepped in time, "
-        "its kernel makes energy out of nothing, and what comes after is not to be believed. The "
-        "first plot is as high as a run that goes well needs; the second shows all."
+        "its kernel makes energy out of nothing, and what comes after is not to be believed."
+        + (_HIGH if wild else "")
     )
 
 

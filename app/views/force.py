@@ -86,9 +86,11 @@ class ForceView:
             line.glyph.line_color = RUN_COLOR[dark]
 
     def reset(self) -> None:
+        """Show no run."""
         for points in (self._all, self._sound, self._bad):
             points.clear()
         self._run.glyph.line_alpha = 1.0
+        self.point_at(None)
         self.baseline.data = {name: [] for name in _COLUMNS}
 
     def compare_with(self, baseline: Baseline, fit: bool = True) -> None:
@@ -102,13 +104,21 @@ class ForceView:
         if fit:
             span.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max() or 1.0)
 
+    def make_room_for(self, force: np.ndarray) -> None:
+        """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""
+        span = self.root.y_range
+        if force.max(initial=span.end) > span.end:
+            span.end = 1.5 * float(force.max())
+        if force.min(initial=span.start) < span.start:
+            span.start = 1.5 * float(force.min())
+
     def update(
         self, record: Record, low: int, high: int, ended: bool = False, still: bool = False
     ) -> None:
         """Add rows low .. high - 1; `ended` where no more will come, `still` where not soon."""
         columns = record.columns
         self._all.update(columns, np.arange(high), ended, still)
-        self._make_room_for(columns["contact_force"][low:high])
+        self.make_room_for(columns["contact_force"][low:high])
         bad = np.flatnonzero(columns["converged"][:high] == 0)
         self._bad.update(columns, bad, ended, still)
         if bad.size:
@@ -120,11 +130,3 @@ class ForceView:
             self._run.glyph.line_alpha = _FADED
         sound = np.where(columns["converged"] == 0, np.nan, columns["contact_force"])
         self._sound.update({**columns, "contact_force": sound}, np.arange(high), ended, still)
-
-    def _make_room_for(self, force: np.ndarray) -> None:
-        """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""
-        span = self.root.y_range
-        if force.max(initial=span.end) > span.end:
-            span.end = 1.5 * float(force.max())
-        if force.min(initial=span.start) < span.start:
-            span.start = 1.5 * float(force.min())

@@ -105,6 +105,7 @@ class IterationsView:
     def reset(self, max_iterations: int) -> None:
         for points in (self._all, self._margin, self._bad):
             points.clear()
+        self.point_at(None)
         self.limit.location = max_iterations
         self.root.y_range.end = 1.1 * min(max_iterations, _SHOWN)
 

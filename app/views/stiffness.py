@@ -30,11 +30,12 @@ _OFF = 0.25
 _SHOWN = 0.1
 _DEEP, _FORCE = "Indentation [µm]", "Force [N]"
 _STILL, _STIFF = "quasi-static", "Stiffness dF/dd [MN/m]"
+_NONE = Branch(np.zeros(0), np.zeros(0))
 
 
 @dataclass(frozen=True)
 class _Pair:
-    """A run and the quasi-static one, on one branch; the run as far as its steps converge."""
+    """A run, as far as its steps converge, and the quasi-static one, if there, on one branch."""
 
     name: str
     run: Branch
@@ -67,17 +68,17 @@ class StiffnessView(TabView):
         else:
             sentence, bad = _on_stiffness(loading) + _on_difference(loading), False
             sentence += _on_unloading(seen, unloading)
-        return Reading(sentence.strip(), bad, _figures(seen, pairs), _plots(pairs))
+        sentence = f"{sentence.strip()} {_on_baseline(seen)}".strip()
+        return Reading(sentence, bad, _figures(seen, pairs), _plots(pairs))
 
 
 def _pairs(seen: Seen) -> list[_Pair]:
     depth, force = seen.columns["indentation"], seen.columns["contact_force"]
     sound, still = slice(0, seen.failed_at), seen.run.baseline
-    assert still is not None
     run = branches(depth[sound], force[sound], seen.columns["drive"][sound])
-    rest = branches(still.indentation, still.contact_force)
+    rest = (_NONE, _NONE) if still is None else branches(still.indentation, still.contact_force)
     if seen.failed_at is not None and seen.failed_at <= int(depth.argmax()):
-        run = run[0], Branch(np.zeros(0), np.zeros(0))  # what came back was no loading
+        run = run[0], _NONE  # what came back was no loading
     return [_Pair(*parts) for parts in zip(DASHES, run, rest, strict=True)]
 
 
@@ -131,6 +132,15 @@ def _on_unloading(seen: Seen, pair: _Pair) -> str:
     return "While unloading it swings, and falls below 0, where bonds break. "
 
 
+def _on_baseline(seen: Seen) -> str:
+    """Why there is nothing to compare with, where that is so."""
+    if seen.run.baseline is not None:
+        return ""
+    if seen.ended:
+        return "There is no quasi-static run to compare with."
+    return "The quasi-static run to compare with comes after the last step."
+
+
 def _on_failure(seen: Seen, pair: _Pair) -> str:
     """Bad news: how far the stiffness was that of a sound run, and where the steps fail."""
     assert seen.failed_at is not None
@@ -143,7 +153,9 @@ def _on_failure(seen: Seen, pair: _Pair) -> str:
             f"Up to {deep} µm the stiffness is that of the "
             f"quasi-static run to within a quarter; then the force swings from step to step. {text}"
         )
-    return f"{text}The plots are as high as a run that goes well needs."
+    if seen.run.baseline is not None:
+        text += "The plots are as high as a run that goes well needs."
+    return text
 
 
 def _sound(pair: _Pair) -> np.ndarray:
@@ -177,7 +189,7 @@ def _figures(seen: Seen, pairs: list[_Pair]) -> dict[str, str]:
 def _plots(pairs: list[_Pair]) -> dict[str, hv.Overlay]:
     drawn = [pair for pair in pairs if pair.run.depth.size >= _LEAST]
     run = {pair.name: pair.run.slope() for pair in drawn}
-    still = {pair.name: pair.still.slope() for pair in drawn}
+    still = {pair.name: pair.still.slope() for pair in drawn if pair.still.depth.size}
     seen = window([k / 1e6 for *_, k in run.values()], [k / 1e6 for *_, k in still.values()])
     by_depth = [
         *(behind(_STILL, d * 1e6, k / 1e6, DASHES[name]) for name, (d, _, k) in still.items()),
@@ -192,7 +204,7 @@ def _plots(pairs: list[_Pair]) -> dict[str, hv.Overlay]:
     return {
         "by depth": lines("Stiffness against indentation", _DEEP, _STIFF, by_depth, seen),
         "by force": lines("Stiffness against force", _FORCE, _STIFF, by_force, seen),
-        **_differences(drawn),
+        **(_differences(drawn) if still else {}),
     }
 
 

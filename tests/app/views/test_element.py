@@ -139,21 +139,6 @@ def test_a_run_that_goes_on_is_followed_and_ranges_only_grow(finished: Run) -> N
     assert len(set(ends)) < 20
 
 
-def test_a_run_whose_maps_are_thinned_is_followed_at_the_steps_kept(small: Scenario) -> None:
-    small.numerics.field_memory = 10 * 36 * 33.0  # of 52 steps
-    run = Run(small)
-    run.start()
-    assert run.join(60)
-    view = ElementView()
-    view.prepare(run)
-    view.update(run, 42, ended=True)
-    view.follow(ROW, COLUMN)
-    kept = [0, 8, 16, 24, 32, 40, 48, 51]
-    times = run.record.columns["time"]
-    np.testing.assert_allclose(view.forces.path.data["time_ms"], times[kept] * 1e3)
-    assert view.forces.now.data["time_ms"] == [pytest.approx(times[40] * 1e3)]
-
-
 def test_buttons_pick_the_element_that_stands_out(finished: Run, view: ElementView) -> None:
     followed: list[tuple[int, int]] = []
     view.on_follow = lambda row, column: followed.append((row, column))

@@ -48,3 +48,16 @@ def test_a_tread_that_makes_energy_is_bad_news(wild: Run) -> None:
     each = {line.label: line.columns()["y"] for line in view.reading.plots["each"]}
     assert each["tread"].min() < 0
     assert work.label == "work done"
+
+
+def test_without_a_quasi_static_run_all_of_a_wild_one_is_shown(wild: Run) -> None:
+    view = EnergyView()
+    view.show(wild)
+    assert view.reading.plots["account"].opts.get("plot").kwargs["ylim"] != (None, None)
+    assert "as high as a run that goes well" in view.reading.sentence
+    wild._computation.baseline = None
+    view = EnergyView()
+    view.show(wild)
+    assert view.reading.plots["account"].opts.get("plot").kwargs["ylim"] == (None, None)
+    assert "which no tread can" in view.reading.sentence
+    assert "as high as a run that goes well" not in view.reading.sentence

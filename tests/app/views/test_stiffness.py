@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 
+from app.phase import Phase
 from app.runner import Run
 from app.views.stiffness import StiffnessView
 from tyrecontact import Scenario
@@ -88,3 +89,33 @@ def test_a_run_that_fails_is_shown_as_far_as_it_went_well(wild: Run) -> None:
     assert float(named[1]) == pytest.approx(failed, rel=0.01)
     assert curve(view, "by depth", "loading")["x"].max() < failed
     assert "Final stiffness" not in view.reading.figures
+
+
+@pytest.mark.parametrize("phase", [Phase.RUNNING, Phase.COMPARING, Phase.STOPPED, Phase.FINISHED])
+def test_a_run_without_a_quasi_static_one_shows_its_own_stiffness(
+    finished: Run, phase: Phase
+) -> None:
+    view = StiffnessView()
+    view.show(finished)
+    own, compared = curve(view, "by depth", "loading"), view.reading.sentence
+    assert {part.label for part in view.reading.plots["by depth"]} == {"quasi-static", "loading"}
+    assert "quasi-static run to compare with" not in compared
+    finished._computation.baseline, finished.phase = None, phase
+    view = StiffnessView()
+    view.show(finished)
+    assert list(view.reading.plots) == ["by depth", "by force"]
+    assert [part.label for part in view.reading.plots["by depth"]] == ["loading"]
+    np.testing.assert_array_equal(curve(view, "by depth", "loading")["y"], own["y"])
+    comes = "comes after the last step." if not phase.ended else "There is no quasi-static run"
+    assert comes in view.reading.sentence
+    assert "of the quasi-static run" not in view.reading.sentence
+
+
+def test_a_run_that_fails_without_a_quasi_static_one_ends_where_it_fails(wild: Run) -> None:
+    wild._computation.baseline = None
+    view = StiffnessView()
+    view.show(wild)
+    assert view.reading.bad
+    assert "on steps did not converge" in view.reading.sentence
+    assert "There is no quasi-static run" in view.reading.sentence
+    assert "as high as" not in view.reading.sentence

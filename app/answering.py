@@ -5,6 +5,7 @@ without holding what the visitor has left; and that the answer reaches the visit
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 from weakref import WeakMethod
 
@@ -13,6 +14,7 @@ from bokeh.document import Document
 from panel.io import document
 from panel.io.document import with_lock
 from panel.reactive import Syncable
+from tornado.websocket import WebSocketClosedError
 
 # Panel takes a press, and with it any change of the last 50 ms, without the document's lock, which
 # every change of a plot needs
@@ -28,7 +30,8 @@ async def _dispatch_all(doc: Document) -> None:
     That would be left behind until the next change; the last frame of a run, for good.
     """
     document._WRITE_BLOCK[doc] = True
-    await _dispatch(doc)
+    with suppress(WebSocketClosedError):  # the visitor has left
+        await _dispatch(doc)
 
 
 document._dispatch_msgs = _dispatch_all

@@ -10,6 +10,7 @@ import panel_material_ui as pmui
 
 from tyrecontact.errors import InputError
 from tyrecontact.parts.road import Road
+from tyrecontact.road.understood import Understood
 from tyrecontact.settings import Count
 
 from .road_reading import Look, square_that_fits
@@ -70,6 +71,7 @@ class RoadDialog:
         self._loading = False
         self._base = Road()
         self._fresh = True
+        self._found: Understood | None = None
         self.fields: dict[str, Any] = {
             name: _number(name, label) for name, label in _NUMBERS.items()
         }
@@ -91,15 +93,13 @@ class RoadDialog:
         """Begin with a file and settings; a `fresh` one is offered the largest patch that fits."""
         self._base, self._fresh = road, fresh
         self._fill(road)
-        self.facts.object = ""
-        self.preview.clear()
-        self._arrange(None)
+        self._empty()
         self.root.param.update(title=_title(name), open=True)
         self._changed()
 
     def refuse(self, name: str, sentence: str) -> None:
         """Say why a file is not even looked at."""
-        self._arrange(None)
+        self._empty()
         self.busy.object = ""
         self.use_button.disabled = True
         self._say("error", _sentence(sentence))
@@ -129,9 +129,10 @@ class RoadDialog:
             if self._fresh and side != road.size and side >= Road.param.size.bounds[0]:
                 self._offer(side)
                 return
-            self._fresh = False
-            self.facts.object = table(look.found)
+            self._fresh, self._found = False, look.found
             self.preview.show(look.view, road)
+        # what was read with other answers is not what these give
+        self.facts.object = "" if look.found is None else table(look.found)
         self._arrange(look)
         self.use_button.disabled = not look.usable
         self._say(*_verdict(look, road))
@@ -154,7 +155,7 @@ class RoadDialog:
             self._say("error", _sentence(str(error)))
             return
         self.busy.object = BUSY
-        if not self.facts.object:
+        if self._found is None:
             self._say("info", "Reading the file …")
         self.preview.mark(road)
         self._ask(road)
@@ -168,9 +169,18 @@ class RoadDialog:
             self.fields[name].value = getattr(road, name)
         self._loading = False
 
+    def _empty(self) -> None:
+        """Nothing is known of the file."""
+        self._found, self.facts.object = None, ""
+        self.preview.clear()
+        self._arrange(None)
+
     def _arrange(self, look: Look | None) -> None:
-        """Show the fields that mean something for the file, and mark those that must be filled."""
-        found = look.found if look is not None else None
+        """Show the fields that mean something for the file, and mark those that must be filled.
+
+        Those of a file that was understood before stay: one of them may have to be put right.
+        """
+        found = self._found
         missing = look.missing if look is not None else ()
         for name, field in self.fields.items():
             profile = found is not None and found.profile
@@ -184,7 +194,8 @@ class RoadDialog:
             helper_text="must be given" if "pitch" in missing else "0: as in the file",
         )
         self.fields["height_unit"].error_state = "unit" in missing
-        self.preview.root.visible = found is not None  # a pane of HTML must not come and go so
+        drawn = look is not None and look.found is not None
+        self.preview.root.visible = drawn  # a pane of HTML must not come and go so
 
     def _layout(self) -> pmui.Dialog:
         fields = pn.FlexBox(*(self.fields[name] for name in _ORDER), gap="0px", margin=0)

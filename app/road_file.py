@@ -22,16 +22,16 @@ from .road_upload import Upload
 from .views.road_facts import line
 
 _NONE = "No file: a road is made from the seed."
+_GONE = "This file is no longer kept: bring it again, or go back to the made road."
 #: files of a visitor that are kept, so that undo finds the road before
 _KEPT = 3
 
 
 @dataclass(frozen=True)
 class _InUse:
-    """A file that was used: its name, the settings it was used with, and a line on it."""
+    """A file that was used: its name, and a line on it."""
 
     name: str
-    road: Road
     line: str
 
 
@@ -91,14 +91,15 @@ class RoadFile:
         """Say which file is in use after the scenario was changed elsewhere, as by undo."""
         self.file = file
         used = self._used.get(file)
-        self._say(used.line if used else _NONE)
+        self._say(used.line if used else _GONE if file else _NONE)
         self.change.visible = used is not None
         self.clear.visible = bool(file)
 
     def reopen(self) -> None:
         """The dialog again, on the file in use."""
-        used = self._used[self.file]
-        self._begin(Path(self.file), used.name, used.road, fresh=False)
+        form = self._road()
+        road = Road(**{name: getattr(form, name) for name in (*SETTINGS, "seed")})
+        self._begin(Path(self.file), self.name, road, fresh=False)
 
     def forget(self) -> None:
         """The road is made again; the file is kept for undo."""
@@ -195,7 +196,7 @@ class RoadFile:
         assert look.found is not None
         road, file = dialog.road(), str(reading.path)
         self._used.pop(file, None)
-        self._used[file] = _InUse(look.name, road, f"{look.name}: {look.found.sentence()}")
+        self._used[file] = _InUse(look.name, f"{look.name}: {look.found.sentence()}")
         while len(self._used) > _KEPT:
             oldest = next(iter(self._used))
             del self._used[oldest]

@@ -84,3 +84,21 @@ def test_a_steep_road_is_usable_but_doubted(profile: Path) -> None:
     asked = Asked(profile)
     assert "Please check: an rms slope" in asked.dialog.message.object
     assert not asked.dialog.use_button.disabled
+
+
+@pytest.mark.parametrize("values", [{"trim_start": 100.0}, {"trim_end": 100.0}])
+def test_what_leaves_nothing_of_a_file_can_be_put_right(
+    profile: Path, values: dict[str, float]
+) -> None:
+    asked = Asked(profile)
+    fields = asked.shown()
+    for name, value in values.items():
+        asked.dialog.fields[name].value = value
+    assert "must leave some" in asked.dialog.message.object
+    assert asked.dialog.facts.object == ""
+    assert asked.dialog.use_button.disabled
+    assert asked.shown() == fields
+    for name in values:
+        asked.dialog.fields[name].value = 0.0
+    assert not asked.dialog.use_button.disabled
+    assert "line.dat" in asked.dialog.facts.object

@@ -28,7 +28,13 @@ class Taken:
     def __init__(self) -> None:
         self.roads: list[dict[str, Any]] = []
         self.refusals: list[str] = []
-        self.control = RoadFile(self.roads.append, self.refusals.append)
+        self.form = Road()
+        self.control = RoadFile(self.take, self.refusals.append, lambda: self.form)
+
+    def take(self, settings: dict[str, Any]) -> None:
+        self.roads.append(settings)
+        for path, value in settings.items():
+            setattr(self.form, path.partition(".")[2], value)
 
     def upload(self, name: str, content: bytes) -> None:
         """As the browser does it."""
@@ -153,6 +159,10 @@ def test_change_opens_the_dialog_on_the_file_and_values_in_use(taken: Taken) -> 
     taken.control.use()
     assert taken.roads[-1]["road.levelling"] == "none"
     assert taken.roads[-1]["road.file"] == taken.roads[0]["road.file"]
+    taken.form.elements = 12  # changed on the form
+    taken.control.reopen()
+    taken.settle()
+    assert taken.dialog.fields["elements"].value == 12
 
 
 @pytest.mark.parametrize(
@@ -232,6 +242,25 @@ def test_a_file_is_there_for_undo_and_gone_with_the_session(taken: Taken) -> Non
     assert Path(file).exists()
     taken.control.close()
     assert not Path(file).parent.exists()
+
+
+def test_undo_to_a_file_that_is_no_longer_kept_says_so(taken: Taken) -> None:
+    for number in range(4):
+        bring(taken, f"{number}.npy")
+        taken.control.use()
+    taken.control.show(taken.roads[0]["road.file"])
+    assert "no longer kept" in taken.control.status.object
+    assert not taken.control.change.visible
+    assert taken.control.clear.visible
+
+
+def test_beside_a_file_that_is_refused_nothing_of_another_one_stands(taken: Taken) -> None:
+    bring(taken)
+    taken.control.use()
+    taken.upload("photo.jpg", b"\xff\xd8\xff")
+    assert taken.dialog.facts.object == ""
+    assert not taken.dialog.preview.root.visible
+    assert not any(field.visible for field in taken.dialog.fields.values())
 
 
 def test_a_file_that_comes_while_another_is_read_supersedes_it(

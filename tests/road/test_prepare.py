@@ -111,6 +111,8 @@ def test_a_profile_loses_its_ends() -> None:
     assert found.done == ("trimmed by 1 mm at the start and 2 mm at the end",)
     with pytest.raises(InputError, match=r"must leave some of the 0\.01 m"):
         prepare.trimmed(scan(np.arange(100.0)), 60 * PITCH, 40 * PITCH)
+    with pytest.raises(InputError, match=r"must leave some of the 0\.01 m"):
+        prepare.trimmed(scan(np.arange(100.0)), 0.0, 120 * PITCH)  # more than there is
     with pytest.raises(InputError, match="must be 0 for a map"):
         prepare.trimmed(scan(rough(9, 9)), PITCH, 0.0)
 

@@ -24,7 +24,7 @@ def trimmed(scan: Scan, start: float, end: float) -> Scan:
         raise InputError(
             f"trim must be 0 for a map (move its centre instead), got {start:g} and {end:g} m"
         )
-    heights = scan.heights[first : len(scan.heights) - last]
+    heights = scan.heights[first : max(len(scan.heights) - last, 0)]
     if len(heights) < 2:
         raise InputError(
             f"trim must leave some of the {scan.extent[0]:.4g} m of {scan.name}, got {start:g} "

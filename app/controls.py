@@ -126,11 +126,15 @@ class Controls:
         """Take the preset's value of a setting."""
         self.change(path, getattr(self._plain.find(path)[0], _name(path)))
 
-    def load(self, preset: str, scenario: Scenario | None = None) -> None:
-        """Show a preset, or a scenario that began as one; a road file that was taken stays."""
+    def load(
+        self, preset: str, scenario: Scenario | None = None, *, keep_road: bool = True
+    ) -> None:
+        """Show a preset, or a scenario that began as one; a road file that was taken stays, if it
+        is to.
+        """
         plain = presets.get(preset)
         scenario = plain.copy() if scenario is None else scenario.copy()
-        own = self.scenario.road.file
+        own = self.scenario.road.file if keep_road else ""
         if own and own != self._plain.road.file and not scenario.road.file:
             for path in OF_ROAD:
                 scenario.set(path, self.value(path))

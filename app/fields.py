@@ -121,6 +121,8 @@ class Field:
         if self._setting:
             return
         value = event.new
+        if isinstance(self._parameter, Tables) and isinstance(value, str) and not value.strip():
+            value = []
         if isinstance(self._parameter, Count) and isinstance(value, float) and value.is_integer():
             value = int(value)
         exact = isinstance(self._parameter, Choice | Count | Tables)
@@ -178,10 +180,15 @@ def meaning(parameter: param.Parameter) -> str:
 
 
 def _span(value: float, low: float, high: float, whole: bool) -> tuple[float, float, float]:
-    """Range and step of a slider about a value: to some three times of it, in round numbers."""
+    """Range and step of a slider about a value: to some three times of it, in round numbers.
+
+    A browser counts the steps from the start: a bound that is no multiple of them is left to the
+    entry.
+    """
     most = min(3 * abs(value), max(abs(low), abs(high))) or min(high, 1.0)
     step = 10.0 ** math.floor(math.log10(most / 20))
     step = max(1.0, step) if whole else step
     end = min(high, _tidy(step * math.ceil(most / step)))
-    start = max(low, -end if value < 0 else 0.0)
+    first = _tidy(step * math.ceil(low / step))
+    start = max(first if first <= value else low, -end if value < 0 else 0.0)
     return start, end, step

@@ -24,6 +24,7 @@ class Teaching:
 
     def __init__(self, session: Session) -> None:
         self._session = session
+        self._wanted: dict[str, Any] = {}  # the scenario of the step
         self.card = LessonCard(self._apply, self._point, self._pin, self._over)
 
     def begin(self, name: str) -> None:
@@ -39,8 +40,10 @@ class Teaching:
         """Put into the form what is to be run: one change, however much it takes."""
         with self._session.controls.history.as_one():
             if preset is not None:
-                self._session.load_preset(preset)
+                # what a lesson says is true of the made road
+                self._session.controls.load(preset, keep_road=False)
             self._session.controls.change_all(settings)
+        self._wanted = self._session.controls.scenario.to_dict()
         self._session.live.suit(self._session.controls.scenario.loading.profile)
 
     def _point(self, place: str) -> None:
@@ -50,7 +53,10 @@ class Teaching:
         self._session.live.point_at(place)
 
     def _pin(self, label: str) -> None:
-        self._session.pin(label)
+        """Keep the run of this step; another one must not stand under its label."""
+        run = self._session.run
+        if run is not None and run.scenario.to_dict() == self._wanted:
+            self._session.pin(label)
 
     def _over(self) -> None:
         self._session.live.point_at("")

@@ -9,10 +9,12 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
+import panel as pn
 import panel_material_ui as pmui
 import param
 
 from .file_names import harmless
+from .views.road_facts import line
 
 #: a table with more bytes than this is no table
 MAX_BYTES = 8_000_000
@@ -32,6 +34,7 @@ class TextFile:
     Attributes
     ----------
     file : path of the one in use, or empty.
+    input, status, clear : what a file is brought with, what is in use, and the way back.
     """
 
     def __init__(
@@ -42,7 +45,7 @@ class TextFile:
         self._names: dict[str, str] = {}  # path of a file -> name that it had
         self._numbers = count(1)
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self._input: pmui.FileInput | None = None
+        self._root: pn.Column | None = None
 
     @property
     def name(self) -> str:
@@ -50,23 +53,32 @@ class TextFile:
         return self._names.get(self.file, "")
 
     @property
-    def root(self) -> pmui.FileInput:
-        """The control; made when first shown."""
-        if self._input is None:
-            self._input = SmallFile(
+    def root(self) -> pn.Column:
+        """The controls; made when first shown."""
+        if self._root is None:
+            # the button itself would go on naming the last file, whether it is in use or not
+            self.input = SmallFile(
                 self._title, self._refuse, label=self._title, accept=".txt,.csv,.dat,.tsv",
-                sizing_mode="stretch_width", margin=(6, 10),
+                uploaded_label=f"{self._title}: another file", sizing_mode="stretch_width",
+                margin=(6, 10),
             )  # fmt: skip
-            self._input.param.watch(self._uploaded, "value")
-        return self._input
+            self.input.param.watch(self._uploaded, "value")
+            self.status = pn.pane.HTML(margin=(0, 10), sizing_mode="stretch_width")
+            self.clear = pmui.Button(label="Do without the file", size="small", variant="outlined")
+            self.clear.on_click(lambda _: self._take(""))
+            self._root = pn.Column(
+                self.input, self.status, self.clear, sizing_mode="stretch_width", margin=0
+            )
+            self._say()
+        return self._root
 
     def show(self, file: str) -> None:
         """Say which file is in use after the scenario was changed elsewhere, as by undo."""
         if file == self.file:
             return
         self.file = file
-        if self._input is not None and self._input.filename != (self.name or None):
-            self._input.param.update(value=None, filename=self.name or None)
+        if self._root is not None:
+            self._say()
 
     def close(self) -> None:
         """Remove what was kept on disk."""
@@ -75,17 +87,24 @@ class TextFile:
         self._folder, self.file = None, ""
         self._names.clear()
 
+    def _say(self) -> None:
+        """What is in use."""
+        gone = "a file that is no longer kept: bring it again"
+        self.status.object = line(f"In use: {self.name or gone}." if self.file else "No file.")
+        self.clear.visible = bool(self.file)
+
     def _uploaded(self, event: param.parameterized.Event) -> None:
         if event.new and len(event.new) > MAX_BYTES:
             self._refuse(_too_large(self._title, len(event.new)))
         elif event.new:
             self._take(self._keep(event.new))
+            self.input.value = None  # so that the same file can be brought again
 
     def _keep(self, content: bytes) -> str:
         """Write a file, and let the oldest go; undo finds the ones between."""
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="tyrecontact-")
-        name = str(self.root.filename or "table.txt")
+        name = str(self.input.filename or "table.txt")
         # what is wrong with a file is said of the name that it has here
         path = Path(self._folder.name) / str(next(self._numbers)) / harmless(name, "", "table.txt")
         path.parent.mkdir()

@@ -149,6 +149,9 @@ def test_layers_are_written_as_tables(controls: Controls, refusals: list[str]) -
     area.value = "no tables"
     assert len(refusals) == 1
     assert '"thickness": 0.002' in area.value
+    area.value = " "
+    assert controls.value("tread.layers") == []
+    assert len(refusals) == 1
 
 
 def test_layers_read_no_file_of_the_server(
@@ -193,10 +196,11 @@ def test_back_to_the_made_road_is_back_to_that_of_the_preset(controls: Controls)
 
 def test_undo_finds_the_file_before_and_its_name(controls: Controls) -> None:
     file = controls.text_files["loading.table"]
-    file.root.param.update(filename="a.txt", value=b"0 0\n1 1e-4\n")
+    assert file.root is not None
+    file.input.param.update(filename="a.txt", value=b"0 0\n1 1e-4\n")
     first = controls.value("loading.table")
     controls.change("loading.rate", 0.2)
-    file.root.param.update(filename="b.txt", value=b"0 0\n1 2e-4\n")
+    file.input.param.update(filename="b.txt", value=b"0 0\n1 2e-4\n")
     assert file.name == "b.txt"
     controls.undo()
     assert controls.value("loading.table") == first

@@ -33,6 +33,20 @@ def test_every_setting_has_a_field_that_shows_its_value_within_its_slider(path: 
         assert 0 < widget.step <= widget.end - widget.start
 
 
+@pytest.mark.parametrize("path", ["loading.rate", "loading.max_indentation", "tread.thickness"])
+def test_a_slider_steps_over_round_numbers(path: str) -> None:
+    widget = _field(path, [], []).root
+    steps = (widget.value - widget.start) / widget.step  # as a browser counts them
+    assert steps == pytest.approx(round(steps), abs=1e-6)
+    assert widget.low > 0
+
+
+def test_a_slider_begins_at_a_bound_that_is_the_value() -> None:
+    _, parameter = Scenario().find("loading.rate")
+    widget = Field("loading.rate", parameter, parameter.bounds[0], print, print).root
+    assert widget.start == widget.value == widget.low
+
+
 def test_a_quantity_is_shown_in_its_unit_and_handed_on_in_si() -> None:
     changes: list[tuple[str, Any]] = []
     field = _field("loading.rate", changes, [])

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from app.lessons import lessons
 from app.session import Session
 from app.views.style import VERMILION
+from tests.app.frames import frames_until_the_end
+from tyrecontact import Scenario
 
 
 @pytest.fixture
@@ -54,3 +58,48 @@ def test_a_lesson_opens_the_tab_it_speaks_of(session: Session) -> None:
     assert session.tabs.title == "Stiffness"
     session.teaching._point("element")
     assert session.tabs.title == "Watch"
+
+
+def test_only_the_run_of_a_step_is_kept_under_its_label(small: Scenario) -> None:
+    session = Session()
+    session.whatif.pace.value = "as fast as it can"
+    teaching = session.teaching
+
+    def labels() -> list[str]:
+        return [pin.label for pin in session.shelf.pinned]
+
+    teaching._apply("default", small_changes(small))
+    teaching._pin("nothing has run")
+    assert labels() == []
+    session.start()
+    frames_until_the_end(session)
+    teaching._pin("first")
+    assert labels() == ["first"]
+    teaching._apply("default", {**small_changes(small), "loading.rate": 0.08})
+    teaching._pin("second")  # not run
+    assert labels() == ["first"]
+    session.start()
+    frames_until_the_end(session)
+    teaching._pin("second")
+    assert labels() == ["first", "second"]
+
+
+def small_changes(small: Scenario) -> dict[str, Any]:
+    """What makes the default preset a small scenario."""
+    paths = ("road.elements", "road.size", "road.pixel", "loading.max_indentation", "loading.rate")
+    values = small.to_dict()
+    parts = (path.split(".") for path in (*paths, "numerics.lags"))
+    return {f"{part}.{name}": values[part][name] for part, name in parts}
+
+
+def test_a_lesson_is_about_the_made_road_and_undo_brings_the_own_one_back(
+    session: Session,
+) -> None:
+    own = {"road.file": "/somewhere/road.npy", "road.size": 0.01}
+    session.controls.take_road(own)
+    session.teaching.begin(next(iter(lessons())))
+    assert session.controls.value("road.file") == ""
+    session.controls.undo()
+    assert session.controls.value("road.file") == own["road.file"]
+    session.controls.load("adhesion")  # a preset is about any road
+    assert session.controls.value("road.file") == own["road.file"]

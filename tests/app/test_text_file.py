@@ -24,7 +24,8 @@ def refused() -> list[str]:
 
 
 def _bring(file: TextFile, content: bytes, name: str) -> None:
-    file.root.param.update(filename=name, value=content)
+    assert file.root is not None
+    file.input.param.update(filename=name, value=content)
 
 
 def test_a_file_is_kept_in_a_folder_of_its_own_and_removed_at_the_end(
@@ -49,9 +50,13 @@ def test_a_few_files_are_kept_for_undo(taken: list[str], refused: list[str]) -> 
     assert [Path(path).exists() for path in taken] == [False] + text_file.KEPT * [True]
     file.show(taken[2])
     assert file.name == "2.txt"
-    assert file.root.filename == "2.txt"
+    assert "In use: 2.txt." in file.status.object
+    assert file.clear.visible
+    file.show(taken[0])  # by undo, further back than is kept
+    assert "no longer kept" in file.status.object
     file.show("")
-    assert file.root.filename is None
+    assert "No file." in file.status.object
+    assert not file.clear.visible
     file.close()
     assert not any(Path(path).exists() for path in taken)
 
@@ -61,7 +66,8 @@ def test_what_is_too_large_is_not_even_kept_in_memory(
 ) -> None:
     monkeypatch.setattr(text_file, "MAX_BYTES", 10)
     file = TextFile("Loading table", taken.append, refused.append)
-    control = file.root
+    assert file.root is not None
+    control = file.input
     piece = {"status": "upload_event", "name": "a.txt", "total_chunks": 3, "mime_type": "text/csv"}
     control._handle_msg({"status": "initializing"})
     for number in (1, 2, 3):
@@ -115,4 +121,16 @@ def test_what_is_wrong_with_a_file_is_said_of_the_visitors_name(
         with pytest.raises(InputError, match=r"got my table\.csv") as caught:
             read(taken[0])
         assert file._folder.name not in str(caught.value)
+    file.close()
+
+
+def test_a_file_can_be_done_without(taken: list[str], refused: list[str]) -> None:
+    file = TextFile("Loading table", taken.append, refused.append)
+    _bring(file, b"0 0", "a.txt")
+    file.show(taken[0])
+    file.clear.param.trigger("clicks")
+    assert taken[1:] == [""]
+    file.show("")
+    _bring(file, b"0 0", "a.txt")  # the same again
+    assert len(taken) == 3
     file.close()

@@ -1,4 +1,5 @@
 // The visitor's browser: frames shown, keys pressed, texts copied. It draws nothing.
+const WRITING = "textarea, [contenteditable=true], input:not([type=range], [type=checkbox], [type=radio]), [role=dialog]"
 const TYPING = "input, textarea, select, [contenteditable=true], [role=slider], [role=combobox], [role=listbox], [role=menu], [role=dialog]"
 const PRESSING = "button, a, summary, [role=button], [role=tab], [role=switch], [role=radio], [role=menuitem]"
 
@@ -7,13 +8,21 @@ function focused(event) {
   return event.composedPath().filter((node) => node instanceof Element)
 }
 
+function scrolls(node) {
+  return node.matches("[tabindex='0']") && node.scrollWidth > node.clientWidth
+}
+
 function key_of(event) {
   const path = focused(event)
+  // what a slider or a choice has just changed is taken back where the focus is
+  if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !path.some((node) => node.matches(WRITING))) {
+    return event.shiftKey ? "Redo" : "Undo"
+  }
   if (path.some((node) => node.matches(TYPING))) { return event.key === "Escape" ? "Escape" : null }
-  if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z") { return event.shiftKey ? "Redo" : "Undo" }
   if (event.ctrlKey || event.metaKey || event.altKey) { return null }
   if (event.key === " " && path.some((node) => node.matches(PRESSING))) { return null }
   if (path.some((node) => node.matches("[role=tab], [role=radio]")) && event.key.startsWith("Arrow")) { return null }
+  if (/^(Arrow|Home|End)/.test(event.key) && path.some(scrolls)) { return null }
   const name = event.key === " " ? "Space" : event.key
   return event.shiftKey && name.startsWith("Arrow") ? `Shift+${name}` : name
 }

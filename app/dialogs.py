@@ -27,6 +27,7 @@ Pin runs in the tab <em>Compare</em>. The <em>Lessons</em> lead through the thes
 <p>The model is that of J. Winroth's thesis (Chalmers 2010:8). Nothing you do leaves this server,
 and a run stays until you close the tab.</p>"""
 _IN_A_LINK = "The link holds the preset and what differs from it, not the run"
+_SHARE = "Share and download"
 _STYLE = """
 :host { font-size: calc(15px * var(--scale, 1)); line-height: 1.5; }
 th { text-align: left; padding: 3px 24px 3px 0; white-space: nowrap; }
@@ -57,6 +58,7 @@ class Dialogs:
         self._controls, self._browser, self._load_preset = controls, browser, load_preset
         self._run, self._downloads = run, Downloads()
         self._gallery: Gallery | None = None
+        self._sharing = False
         self.root = pmui.Dialog(
             title_variant="h6", close_on_click=True, show_close_button=True, scroll="paper"
         )
@@ -94,12 +96,23 @@ class Dialogs:
             )
 
         self._browser.on_copied = copied
-        self._downloads.show(*self._run())
-        self._open("Share and download", "md", entry, copy, note, self._downloads.root)
+        self._offer()
+        self._open(_SHARE, "md", entry, copy, note, self._downloads.root)
+
+    def refresh(self) -> None:
+        """Follow the run on show, where its files are offered."""
+        if self._sharing and self.root.open:
+            self._offer()
+
+    def _offer(self) -> None:
+        """The files of the run on show; before one, pictures of what the form says."""
+        preset, run = self._run()
+        self._downloads.show(self._controls.preset if run is None else preset, run)
 
     def _chosen(self, name: str) -> None:
         self.root.open = False
         self._load_preset(name)
 
     def _open(self, title: str, width: str, *content: object) -> None:
+        self._sharing = title == _SHARE
         self.root.param.update(title=title, width_option=width, objects=list(content), open=True)

@@ -161,8 +161,12 @@ class Run:
         """What has been computed so far, or None if nothing has."""
         if self.simulation is None or self.record is None or self.record.count == 0:
             return None
+        phase, count, total = self.phase, self.record.count, len(self.simulation)
+        so_far = f"stopped for now, {count} of {total} steps" if count < total else ""
         reason = {Phase.STOPPED: self.message or STOPPED, Phase.FAILED: self.message}
-        return self.simulation.collect(self.record, reason.get(self.phase, ""))
+        return self.simulation.collect(
+            self.record, reason.get(phase, self.record.stop_reason or so_far)
+        )
 
     def _say(self, phase: Phase) -> None:
         self.phase = phase

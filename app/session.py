@@ -157,6 +157,7 @@ class Session:
         if turn in (Turn.WORDS, None):
             self.headline.update(run)
             self.header.update(run)
+            self.dialogs.refresh()
         self._told = phase
         if ended or self._ticks % _TAB_PERIOD == 0:
             self.tabs.show(run)

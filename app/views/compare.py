@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 from typing import Any
+from weakref import ref
 
 import panel as pn
 
@@ -43,7 +44,7 @@ class CompareView:
         self.said: list[str] = []
         self.drawn = Plots()
         self.controls: CompareControls | None = None
-        self._run: Run | None = None
+        self._about: ref[Run] | None = None
         self._size, self._due = DESK, 0.0
         self._seen: tuple[Any, ...] = ()
         html: dict[str, Any] = {"stylesheets": [STYLE], "sizing_mode": "stretch_width"}
@@ -61,17 +62,23 @@ class CompareView:
         """Compare the pinned runs and the one on show, as far as it has come."""
         phase = None if run is None else run.phase  # first: after an end no row comes
         count = run.record.count if run is not None and run.record is not None else 0
-        seen = (run, bool(count), size, self._shelf.pinned, self._asked)
+        # a tab that is not looked at keeps no run alive that another has superseded
+        about = None if run is None else ref(run)
+        seen = (about, bool(count), size, self._shelf.pinned, self._asked)
         now = (*seen, count, phase)
         hurried = phase is Phase.RUNNING and time.monotonic() < self._due
         if now == self._seen or (hurried and seen == self._seen[: len(seen)]):
             return
         began = time.monotonic()
-        self._run = run
+        self._about = about
         self.runs = self._shelf.with_run(run) if self._shelf.pinned else ()
         self._draw(size)
         self._seen = (*seen[:-1], self._asked, count, phase)
         self._due = time.monotonic() + _PATIENCE * (time.monotonic() - began)
+
+    @property
+    def _run(self) -> Run | None:
+        return None if self._about is None else self._about()
 
     @property
     def _asked(self) -> tuple[Any, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from typing import Any
+from weakref import ref
 
 import panel as pn
 import panel_material_ui as pmui
@@ -39,7 +40,7 @@ class CompareControls:
 
     def __init__(self, shelf: Shelf, changed: Callable[[], None]) -> None:
         self._shelf, self._changed = shelf, changed
-        self._run: Run | None = None
+        self._about: ref[Run] | None = None
         self._setting = False
         self._offered: tuple[Pinned, ...] = ()
         self._of_label = ""  # of the pinned run whose label stands in the entry
@@ -65,11 +66,14 @@ class CompareControls:
         for asked in (self.reference, self.axis):
             asked.param.watch(lambda _: self._ask(), "value")
 
+    def _run(self) -> Run | None:
+        return None if self._about is None else self._about()
+
     def update(self, run: Run | None, compared: Sequence[Pinned]) -> None:
         """Offer what can be done now with the run on show and those that are compared."""
-        if run is not self._run:
+        if run is not self._run():
             self.said = ""
-        self._run, self._setting = run, True
+        self._about, self._setting = None if run is None else ref(run), True
         try:
             pinned = self._shelf.pinned
             _offer(self.chosen, self._offered, pinned)
@@ -103,8 +107,9 @@ class CompareControls:
         self._changed()
 
     def _pin(self) -> str:
-        assert self._run is not None  # the button is disabled until there is one
-        pin = self._shelf.pin(self._run)
+        run = self._run()
+        assert run is not None  # the button is disabled until there is one
+        pin = self._shelf.pin(run)
         full = f" {len(self._shelf.pinned)} of {MOST} places are taken."
         remark = f", {pin.remark}: pin it again when it has come further" if pin.remark else ""
         return f"Pinned as “{pin.label}”{remark}.{full}"

@@ -16,6 +16,7 @@ from .file_button import file_button
 
 _SAVE = (Path(__file__).parent / "save_plots.js").read_text(encoding="utf-8")
 _NO_RUN = "Press Run: then the run can be taken away here, as far as it has come."
+_NO_STEP = "The run has no step yet."
 
 
 class Downloads:
@@ -40,7 +41,8 @@ class Downloads:
         if not self.files:
             self._build()
         count = run.record.count if run is not None and run.record is not None else 0
-        self.note.object = f"The run, {count} steps:" if count else _NO_RUN
+        nothing = _NO_RUN if run is None else _NO_STEP
+        self.note.object = f"The run, {count} steps:" if count else nothing
         for file in self.files.values():
             file.disabled = not count
         for picture in self.pictures.values():

@@ -66,8 +66,9 @@ def framed(
 
     `window` and `across` are those of the vertical and of the horizontal axis.
     """
+    plain = title.replace("{", "{{").replace("}", "}}")  # HoloViews fills in what is in braces
     return overlay.opts(
-        title=title, framewise=True, show_grid=True, legend_position="top", legend_cols=3,
+        title=plain, framewise=True, show_grid=True, legend_position="top", legend_cols=3,
         show_legend=legend, ylim=window or (None, None),
         xlim=across or (None, None), padding=(0, 0.05), backend="bokeh",
     )  # fmt: skip

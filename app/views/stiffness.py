@@ -85,7 +85,7 @@ def _pairs(seen: Seen) -> list[_Pair]:
 def _too_short(seen: Seen) -> str:
     if seen.failed_at is not None:
         first = seen.failed_at + 1
-        return f"No stiffness can be read off: the run failed from its step {first} on."
+        return f"No stiffness can be read off: the run failed at its step {first}."
     if not np.any(seen.columns["contact_force"]):
         return "Road and tread have not met yet: there is no stiffness before they do."
     if seen.ended:
@@ -127,7 +127,8 @@ def _on_difference(pair: _Pair) -> str:
 
 
 def _on_unloading(seen: Seen, pair: _Pair) -> str:
-    if not pair.run.depth.size or not seen.columns["releases"].any():
+    stiffness = pair.run.slope()[2]
+    if not seen.columns["releases"].any() or stiffness.min(initial=0.0) >= 0:
         return ""
     return "While unloading it swings, and falls below 0, where bonds break. "
 
@@ -146,6 +147,8 @@ def _on_failure(seen: Seen, pair: _Pair) -> str:
     assert seen.failed_at is not None
     failed = three_digits(seen.columns["indentation"][seen.failed_at] * 1e6)
     text = f"From {failed} µm on steps did not converge, and the curves end there. "
+    if seen.columns["converged"].all():
+        text = f"At {failed} µm the run had to be ended, and the curves end there. "
     sound = _sound(pair)
     if sound.any() and not sound.all():
         deep = three_digits(pair.run.slope()[0][sound][-1] * 1e6)

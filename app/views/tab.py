@@ -52,9 +52,12 @@ class Seen:
 
     @property
     def failed_at(self) -> int | None:
-        """The first step that did not converge, or None."""
+        """The first step that did not converge or that ended the run, or None."""
         failed = np.flatnonzero(self.columns["converged"] == 0)
-        return int(failed[0]) if failed.size else None
+        if failed.size:
+            return int(failed[0])
+        ended = self.run.record is not None and self.run.record.stop_reason
+        return len(self.columns["converged"]) - 1 if ended else None
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import gc
+from weakref import ref
+
 import numpy as np
 import pytest
 
@@ -105,3 +108,31 @@ def test_a_tab_may_be_open_while_a_live_run_has_no_quasi_static_one_yet(
     reading = session.tabs.made("Stiffness").reading
     assert "There is no quasi-static run" in reading.sentence
     assert np.isfinite(reading.plots["by depth"].dimension_values("y")).any()
+
+
+def test_what_can_be_taken_away_follows_the_run(session: Session) -> None:
+    session.load_preset("adhesion")
+    session.dialogs.share()
+    downloads = session.dialogs._downloads
+    assert downloads.pictures["png"].tags == ["tyrecontact-adhesion"]  # of the inputs, say
+    session.load_preset("default")
+    session.controls.change("road.elements", 6)
+    session.dialogs.share()
+    session.whatif.pace.value = "as fast as it can"
+    session.start()
+    assert all(file.disabled for file in downloads.files.values())
+    frames_until_the_end(session)
+    assert not any(file.disabled for file in downloads.files.values())
+    assert downloads.note.object == f"The run, {session.run.record.count} steps:"
+
+
+def test_a_tab_that_is_not_looked_at_keeps_no_run_alive(session: Session) -> None:
+    session.tabs.open("Compare")
+    session.start()
+    frames_until_the_end(session)
+    before = ref(session.run)
+    session.tabs.open("Watch")
+    session.start()
+    frames_until_the_end(session)
+    gc.collect()
+    assert before() is None

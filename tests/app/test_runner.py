@@ -243,6 +243,21 @@ def test_progress_and_time_left(small: Scenario, wait_for: Waiting) -> None:
     assert (run.progress, run.time_left) == (1.0, None)
 
 
+def test_what_is_taken_of_a_run_under_way_says_how_far_it_is(
+    small: Scenario, wait_for: Waiting
+) -> None:
+    run = Run(small, paused=True)
+    run.start()
+    run.step()
+    wait_for(lambda: run.record is not None and run.record.count == 1)
+    results = run.results()
+    assert results.stop_reason == f"stopped for now, 1 of {len(run.simulation)} steps"
+    assert results.failed_at is None
+    run.resume()
+    assert run.join(60)
+    assert run.results().stop_reason == "completed"
+
+
 @pytest.mark.parametrize("duration", [-1.0, float("nan"), float("inf")])
 def test_a_duration_is_a_time(small: Scenario, finished: Run, duration: float) -> None:
     with pytest.raises(InputError, match=r"duration of a run must be 0 or more, got .* s"):

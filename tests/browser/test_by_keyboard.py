@@ -56,6 +56,8 @@ def test_run_preset_and_settings_are_reached_and_used(visit: Visit) -> None:
     before = entry.input_value()
     key.press("ArrowRight")
     expect(entry).not_to_have_value(before)
+    key.press("Control+z")  # with the focus on what was changed
+    expect(entry).to_have_value(before)
     visit.tab_to("Release criterion [N]")
     key.press("Control+a")
     key.type("0.35")
@@ -99,3 +101,9 @@ def test_an_element_is_followed_and_every_tab_opened(visit: Visit) -> None:
         expect(tab.get_by_role("tab", name=name, exact=True)).to_have_attribute(
             "aria-selected", "true"
         )
+    code = tab.locator("pre[tabindex='0']").first
+    code.evaluate("node => { node.style.width = '90px' }")  # as in a window that is narrow
+    code.focus()
+    key.press("ArrowRight")
+    key.press("ArrowRight")
+    tab.wait_for_function("node => node.scrollLeft > 0", arg=code.element_handle())

@@ -25,9 +25,9 @@ def test_nothing_is_made_before_it_is_shown(view: Downloads) -> None:
 
 
 def test_before_a_run_it_is_said_what_will_be_there(view: Downloads, small: Scenario) -> None:
-    for run in (None, Run(small)):
+    for run, said in ((None, "Press Run: "), (Run(small), "The run has no step yet.")):
         view.show("default", run)
-        assert view.note.object.startswith("Press Run: ")
+        assert view.note.object.startswith(said)
         assert all(button.disabled for button in view.files.values())
     assert not any(button.disabled for button in view.pictures.values())
 

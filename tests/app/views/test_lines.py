@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import holoviews as hv
 import numpy as np
 
 from app.views.lines import Line, lines, tips, window
@@ -30,3 +31,9 @@ def test_long_lines_are_thinned() -> None:
     (curve,) = lines("Title", "x [m]", "y [N]", [Line("a", x, np.sin(x), "#000000")])
     assert len(curve) < 2000
     assert curve.columns()["x"][-1] == x[-1]
+
+
+def test_braces_in_a_title_are_shown_as_they_are() -> None:
+    line = Line("run", np.array([0.0, 1.0]), np.array([0.0, 1.0]), "#000000")
+    plot = hv.render(lines("Force less that of “{a} {0}”", "x [m]", "y [N]", [line]))
+    assert plot.title.text == "Force less that of “{a} {0}”"

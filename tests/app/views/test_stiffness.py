@@ -119,3 +119,21 @@ def test_a_run_that_fails_without_a_quasi_static_one_ends_where_it_fails(wild: R
     assert "on steps did not converge" in view.reading.sentence
     assert "There is no quasi-static run" in view.reading.sentence
     assert "as high as" not in view.reading.sentence
+
+
+def test_a_run_that_the_solver_ended_is_no_good_news(finished: Run) -> None:
+    finished.record.stop_reason = "unstable at step 51: the tread has given back more energy"
+    view = StiffnessView()
+    view.show(finished)
+    assert view.reading.bad
+    assert re.search(r"At [\d.]+ µm the run had to be ended", view.reading.sentence)
+    assert "did not converge" not in view.reading.sentence
+    assert "Final stiffness" not in view.reading.figures
+
+
+def test_it_swings_while_unloading_only_where_the_stiffness_says_so(pulled: Run) -> None:
+    view = StiffnessView()
+    view.show(pulled)
+    falls = curve(view, "by depth", "unloading")["y"].min() < 0
+    assert ("falls below 0" in view.reading.sentence) == falls
+    assert pulled.record.columns["releases"].any()

@@ -34,7 +34,7 @@ class Reach:
         return self._depths != before
 
     def of(self, run: Run | None) -> tuple[np.ndarray, np.ndarray]:
-        """Time [s] and indentation [m] that there are, or may be."""
+        """Time [s] and indentation [m] that there are, or may be; shape (points,) each."""
         if run is None or run.simulation is None:
             return EMPTY
         schedule = run.simulation.schedule

@@ -105,7 +105,9 @@ class ForceView:
             span.update(start=1.1 * min(force.min(), 0.0), end=1.1 * force.max() or 1.0)
 
     def make_room_for(self, force: np.ndarray) -> None:
-        """Widen the vertical axis in leaps where the force leaves it; it never shrinks in a run."""
+        """Widen the vertical axis in leaps where a force [N], shape (steps,), leaves it; it never
+        shrinks in a run.
+        """
         span = self.root.y_range
         if force.max(initial=span.end) > span.end:
             span.end = 1.5 * float(force.max())

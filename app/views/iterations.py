@@ -103,6 +103,7 @@ class IterationsView:
         self._glyphs[0].glyph.line_color = RUN_COLOR[dark]
 
     def reset(self, max_iterations: int) -> None:
+        """Show no run; the next one may take so many iterations a step."""
         for points in (self._all, self._margin, self._bad):
             points.clear()
         self.point_at(None)
